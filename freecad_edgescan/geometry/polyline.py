@@ -26,9 +26,12 @@ def distance_to_polyline(
 
     Parameters
     ----------
-    points : (n, d) array, mm
-    polyline : (m, d) array of vertices in order, mm, m >= 1; equal neighbours are allowed
-    closed : whether a last segment leads from the last vertex to the first
+    points : (n, d) array
+        Points in mm.
+    polyline : (m, d) array, m >= 1
+        Vertices in order, mm; equal neighbours are allowed.
+    closed : bool
+        Whether a last segment leads from the last vertex to the first.
 
     Returns
     -------
@@ -39,16 +42,16 @@ def distance_to_polyline(
     ------
     ValueError: no vertex, or different dimensions.
     """
-    points = np.atleast_2d(np.asarray(points, dtype=float))
-    vertices = np.atleast_2d(np.asarray(polyline, dtype=float))
+    asked: NDArray[np.float64] = np.atleast_2d(np.asarray(points, dtype=float))
+    vertices: NDArray[np.float64] = np.atleast_2d(np.asarray(polyline, dtype=float))
     if len(vertices) == 0 or vertices.shape[1] == 0:
         raise ValueError("The polyline has no vertex; give at least one.")
-    if points.size == 0:
+    if asked.size == 0:
         empty = np.zeros(0)
         return empty, np.zeros(0, dtype=np.intp), empty.copy()
-    if points.shape[1] != vertices.shape[1]:
+    if asked.shape[1] != vertices.shape[1]:
         raise ValueError(
-            f"The points have {points.shape[1]} coordinates and the polyline "
+            f"The points have {asked.shape[1]} coordinates and the polyline "
             f"{vertices.shape[1]}; give both the same."
         )
     if closed or len(vertices) == 1:
@@ -56,10 +59,10 @@ def distance_to_polyline(
     middles, owner, longest = _pieces(vertices)
     tree = cKDTree(middles)
 
-    distance = np.empty(len(points))
-    index = np.empty(len(points), dtype=np.intp)
-    fraction = np.empty(len(points))
-    pending = np.arange(len(points))
+    distance = np.empty(len(asked))
+    index = np.empty(len(asked), dtype=np.intp)
+    fraction = np.empty(len(asked))
+    pending = np.arange(len(asked))
     count = min(4, len(middles))
     while len(pending):
         proven = np.empty(len(pending), dtype=bool)
@@ -67,8 +70,8 @@ def distance_to_polyline(
         for first in range(0, len(pending), block):
             part = slice(first, first + block)
             rows = pending[part]
-            reach, nearest = tree.query(points[rows], k=list(range(1, count + 1)))
-            found = _nearest_segment(points[rows], vertices, owner[nearest])
+            reach, nearest = tree.query(asked[rows], k=list(range(1, count + 1)))
+            found = _nearest_segment(asked[rows], vertices, owner[nearest])
             distance[rows], index[rows], fraction[rows] = found
             proven[part] = reach[:, -1] - longest / 2 >= found[0]
         if count == len(middles):

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 import pytest
 
@@ -13,7 +15,7 @@ def by_asking_every_segment(points, vertices, closed):
     if closed:
         vertices = np.vstack([vertices, vertices[:1]])
     best = np.full(len(points), np.inf)
-    for a, b in zip(vertices[:-1], vertices[1:]):
+    for a, b in pairwise(vertices):
         square = (b - a) @ (b - a)
         share = np.clip((points - a) @ (b - a) / square, 0, 1) if square else np.zeros(len(points))
         best = np.minimum(best, np.linalg.norm(points - a - share[:, None] * (b - a), axis=1))
