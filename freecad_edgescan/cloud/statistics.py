@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pitch and noise of a cloud, estimated from small neighbourhoods of its points.
+
+1. *Pitch*: the k nearest points of a place fill a disc of the surface, so the density is k over
+   the disc's area. Places at the rim of the cloud, whose disc is not filled, are left out.
+2. *Two pitches*: probes strewn over that disc are joined to their nearest points. For rows a
+   apart with points b apart the offsets have the second moments a²/12 and b²/12, for points
+   strewn at random they are alike in all directions.
+3. *Noise*: residuals of a quadric through each neighbourhood, divided by the degrees of freedom
+   it leaves, so that neither curvature nor the fit itself changes the figure. Neighbourhoods
+   that hold an edge stand out and are left aside.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+from scipy.stats import chi2
+
+__all__ = ["estimate_local_pitch", "estimate_noise", "estimate_pitch"]
+
+Array = NDArray[np.float64]
+
+SEEDS = 2000  # neighbourhoods looked at
+PITCH_NEIGHBOURS = 48
+NOISE_NEIGHBOURS = 32
+PROBES = 96  # strewn over one neighbourhood to see how its points are spaced
+QUADRIC_TERMS = 6
+
+
+def estimate_pitch(tree: cKDTree) -> float:
+    """1 / sqrt(points per mm² of surface), the median over neighbourhoods, mm.
+
+    nan for a cloud of which all points are equal.
+    """
+    offsets = _neighbourhoods(tree, _seeds(tree), PITCH_NEIGHBOURS)
+    pitch = _disc_pitch(offsets)
+    lopsided = np.linalg.norm(offsets.mean(axis=1), axis=1) > 0.2 * _radii(offsets)
+    measurable = pitch > 0
+    inner = measurable & ~lopsided
+    chosen = inner if np.count_nonzero(inner) >= 0.1 * len(inner) else measurable
+    return float(np.median(pitch[chosen])) if chosen.any() else float("nan")
+
+
+def estimate_local_pitch(tree: cKDTree, places: Array) -> Array:
+    """Two principal pitches round each place, (m, 2), larger first, mm."""
+    offsets = _neighbourhoods(tree, places, PITCH_NEIGHBOURS)
+    pitch = _disc_pitch(offsets)
+    flat = _in_local_axes(offsets)[:, :, :2]
+    radius = np.sqrt((flat**2).sum(axis=2).max(axis=1))
+    probes = 0.6 * radius[:, None, None] * _disc(PROBES)
+    squares = (
+        (probes**2).sum(axis=2)[:, :, None]
+        - 2 * probes @ flat.transpose(0, 2, 1)
+        + (flat**2).sum(axis=2)[:, None, :]
+    )
+    nearest = np.take_along_axis(flat, squares.argmin(axis=2)[:, :, None], axis=1)
+    gaps = probes - nearest
+    moments = np.linalg.eigvalsh(gaps.transpose(0, 2, 1) @ gaps)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        stretch = (moments[:, 1] / moments[:, 0]) ** 0.25
+    return np.stack([pitch * stretch, pitch / stretch], axis=1)
+
+
+def estimate_noise(tree: cKDTree) -> float:
+    """Standard deviation of the points along the surface normal, mm.
+
+    0 where there are too few points to tell noise from shape.
+    """
+    offsets = _neighbourhoods(tree, _seeds(tree), PITCH_NEIGHBOURS)
+    local = _in_local_axes(offsets)
+    nearest = np.argsort((local[:, :, :2] ** 2).sum(axis=2), axis=1)[:, :NOISE_NEIGHBOURS]
+    local = np.take_along_axis(local, nearest[:, :, None], axis=1)
+    freedom = local.shape[1] - QUADRIC_TERMS
+    if freedom < 4:
+        return 0.0
+    variance = _quadric_variance(local)
+    quartile = np.quantile(variance, 0.25) * freedom / chi2.ppf(0.25, freedom)
+    plain = variance <= 2.5 * quartile
+    return float(np.sqrt(variance[plain].mean()))
+
+
+def _seeds(tree: cKDTree) -> Array:
+    """Points of the cloud to look round, (m, 3), the same ones every time."""
+    points = np.asarray(tree.data)
+    if len(points) <= SEEDS:
+        return points
+    chosen = np.random.default_rng(0).choice(len(points), SEEDS, replace=False)
+    return points[np.sort(chosen)]
+
+
+def _neighbourhoods(tree: cKDTree, places: Array, neighbours: int) -> Array:
+    """Offsets from each place to its nearest points, (m, k, 3), nearest first, mm."""
+    _, indices = tree.query(places, k=range(1, min(neighbours, tree.n) + 1))
+    return np.asarray(tree.data)[indices] - places[:, None, :]
+
+
+def _radii(offsets: Array) -> Array:
+    return np.asarray(np.sqrt((offsets[:, -1] ** 2).sum(axis=1)))
+
+
+def _disc_pitch(offsets: Array) -> Array:
+    count = max(offsets.shape[1] - 1.5, 1.0)
+    return np.asarray(_radii(offsets) * np.sqrt(np.pi / count))
+
+
+def _in_local_axes(offsets: Array) -> Array:
+    """The neighbourhoods about their centres in principal axes, the normal last."""
+    centred = offsets - offsets.mean(axis=1, keepdims=True)
+    _, axes = np.linalg.eigh(centred.transpose(0, 2, 1) @ centred)
+    return np.asarray(centred @ axes[:, :, ::-1])
+
+
+def _disc(count: int) -> Array:
+    """Evenly strewn places in the unit disc, (count, 2): a sunflower."""
+    i = np.arange(count) + 0.5
+    angle = np.pi * (1 + np.sqrt(5)) * i
+    return np.sqrt(i / count)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+
+
+def _quadric_variance(local: Array) -> Array:
+    """Residual variance of h = quadric(u, v) in each neighbourhood, (m,), mm²."""
+    scale = np.sqrt((local**2).sum(axis=2).max(axis=1))[:, None, None]
+    scaled = np.divide(local, scale, out=np.zeros_like(local), where=scale > 0)
+    u, v, h = scaled[:, :, 0], scaled[:, :, 1], scaled[:, :, 2]
+    terms = np.stack([np.ones_like(u), u, v, u * u, u * v, v * v], axis=2)
+    values, vectors = np.linalg.eigh(terms.transpose(0, 2, 1) @ terms)
+    seen = values > 1e-10 * values[:, -1:]
+    inverse = np.divide(1.0, values, out=np.zeros_like(values), where=seen)
+    projected = vectors.transpose(0, 2, 1) @ (terms.transpose(0, 2, 1) @ h[:, :, None])
+    residuals = h - (terms @ (vectors @ (inverse[:, :, None] * projected)))[:, :, 0]
+    freedom = np.maximum(local.shape[1] - seen.sum(axis=1), 1)
+    return np.asarray((residuals**2).sum(axis=1) / freedom * scale[:, 0, 0] ** 2)
