@@ -1,4 +1,75 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""EdgeScan: true sharp edges from scanned point clouds."""
+"""EdgeScan: true sharp edges from scanned point clouds.
+
+The public Python API. Every name is looked up in the package that defines it when it is
+first used (PEP 562), so that importing this module costs nothing: FreeCAD imports it at
+each start, whether or not anybody scans an edge that day.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from freecad_edgescan import document as document
+    from freecad_edgescan.cloud import CoreBox as CoreBox
+    from freecad_edgescan.cloud import PointCloud as PointCloud
+    from freecad_edgescan.cloud import TorusObject as TorusObject
+    from freecad_edgescan.cloud import TrueEdge as TrueEdge
+    from freecad_edgescan.cloud import read_cloud as read_cloud
+    from freecad_edgescan.cloud import write_cloud as write_cloud
+    from freecad_edgescan.geometry import BSplineCurve as BSplineCurve
+    from freecad_edgescan.scanning import Gate as Gate
+    from freecad_edgescan.scanning import Progress as Progress
+    from freecad_edgescan.scanning import ScanError as ScanError
+    from freecad_edgescan.scanning import ScannedEdge as ScannedEdge
+    from freecad_edgescan.scanning import ScanParameters as ScanParameters
+    from freecad_edgescan.scanning import Section as Section
+    from freecad_edgescan.scanning import Start as Start
+    from freecad_edgescan.scanning import Stop as Stop
+    from freecad_edgescan.scanning import scan_edge as scan_edge
 
 __version__ = "0.1.0"
+
+_HOME_OF = {
+    # clouds
+    "PointCloud": "cloud",
+    "read_cloud": "cloud",
+    "write_cloud": "cloud",
+    # simulated clouds with known truth
+    "CoreBox": "cloud",
+    "TorusObject": "cloud",
+    "TrueEdge": "cloud",
+    # scanning
+    "scan_edge": "scanning",
+    "ScanParameters": "scanning",
+    "Start": "scanning",
+    "Gate": "scanning",
+    "Stop": "scanning",
+    "ScannedEdge": "scanning",
+    "ScanError": "scanning",
+    "Section": "scanning",
+    "Progress": "scanning",
+    # geometry
+    "BSplineCurve": "geometry",
+}
+_PACKAGES = ("document",)
+
+__all__ = [*_HOME_OF, *_PACKAGES]
+
+
+def __getattr__(name: str) -> Any:
+    """Import the package that defines `name` and answer the name."""
+    if name in _PACKAGES:
+        return import_module(f"{__name__}.{name}")
+    if name not in _HOME_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{_HOME_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Names of the public API besides what is loaded already."""
+    return sorted({*globals(), *__all__})

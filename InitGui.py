@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""FreeCAD runs this when its window opens: registers the EdgeScan workbench."""
+
+import FreeCADGui
+
+
+class EdgeScanWorkbench(FreeCADGui.Workbench):
+    """Edges of scanned point clouds; what it needs is imported when it is first opened."""
+
+    MenuText = "EdgeScan"
+    ToolTip = "Find the true sharp edges of a scanned point cloud"
+
+    def __init__(self):
+        # FreeCAD executes this file without a name of its own: the package knows where we are.
+        from pathlib import Path
+
+        import freecad_edgescan
+
+        folder = Path(freecad_edgescan.__file__).resolve().parents[1]
+        self.__class__.Icon = str(folder / "icons" / "EdgeScan.svg")
+
+    def Initialize(self):
+        from freecad_edgescan.gui import commands
+
+        names = commands.register()
+        self.appendToolbar("EdgeScan", names)
+        self.appendMenu("EdgeScan", names)
+
+    def GetClassName(self):
+        return "Gui::PythonWorkbench"
+
+
+FreeCADGui.addWorkbench(EdgeScanWorkbench())
