@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""FreeCAD runs this at each start, with and without a window. EdgeScan has nothing to register here."""
+"""FreeCAD runs this at each start, with and without a window: nothing to register."""

@@ -17,7 +17,7 @@ class EdgeScanWorkbench(FreeCADGui.Workbench):
         import freecad_edgescan
 
         folder = Path(freecad_edgescan.__file__).resolve().parents[1]
-        self.__class__.Icon = str(folder / "icons" / "EdgeScan.svg")
+        self.__class__.Icon = str(folder / "icons" / "EdgeScan_Workbench.svg")
 
     def Initialize(self):
         from freecad_edgescan.gui import commands
