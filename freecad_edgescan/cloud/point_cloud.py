@@ -205,10 +205,13 @@ def _check_kept(kept: Array, dropped: int) -> None:
 
 
 def _radius(probe_radius: float) -> float:
-    radius = float(probe_radius)
+    try:
+        radius = float(probe_radius)
+    except (TypeError, ValueError):
+        radius = np.nan
     if not 0.0 <= radius < np.inf:
         raise ValueError(
-            f"The probe radius is {probe_radius} mm. Give 0 for surface points or the positive "
+            f"The probe radius is {probe_radius!r} mm. Give 0 for surface points or the positive "
             "radius of the probing ball."
         )
     return radius
@@ -217,11 +220,14 @@ def _radius(probe_radius: float) -> float:
 def _direction(approach: ArrayLike | None) -> Array | None:
     if approach is None:
         return None
-    vector = np.array(approach, dtype=np.float64)
+    try:
+        vector = np.array(approach, dtype=np.float64)
+    except (TypeError, ValueError):
+        vector = np.empty(0)
     length = float(np.linalg.norm(vector)) if vector.shape == (3,) else 0.0
     if not 0.0 < length < np.inf:
         raise ValueError(
-            f"The approach {approach} has no direction. Give the direction the probe came along "
+            f"The approach {approach!r} has no direction. Give the direction the probe came along "
             "as three numbers that are not all zero, for example (0, 0, -1)."
         )
     vector /= length

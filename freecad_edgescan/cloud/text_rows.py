@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Three columns of numbers out of lines of text, fast, with the line named when it cannot be done.
+
+All textual formats (xyz, ascii ply, ascii pcd) read their points here: numpy's C reader takes
+the lines in large pieces; only a piece it refuses is looked at line by line.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import islice
+from typing import Any, Protocol, TextIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Listener", "Row", "holds_data", "read_rows"]
+
+Array = NDArray[np.float64]
+
+COMMENT_MARKS = ("#", "//", "%")
+PIECE = 100_000  # lines
+
+
+class Listener(Protocol):
+    """Who is told how far reading has come, and may end it by answering False."""
+
+    def update(self, fraction: float, so_far: Any) -> bool:
+        """Take the fraction done, 0 to 1, and what came last; answer False to stop."""
+        ...
+
+
+@dataclass(frozen=True)
+class Row:
+    """How a line holds its numbers: which columns, what separates them, the decimal sign."""
+
+    columns: tuple[int, int, int] = (0, 1, 2)
+    separator: str | None = None  # None: blanks and tabs
+    decimal_comma: bool = False
+
+    def fields(self, line: str) -> list[str]:
+        """Texts of all columns of a line."""
+        text = line.strip().replace(",", ".") if self.decimal_comma else line.strip()
+        return [field.strip() for field in text.split(self.separator)]
+
+
+def read_rows(
+    stream: TextIO,
+    row: Row,
+    *,
+    name: str,
+    first_line: int = 1,
+    rows: int | None = None,
+    progress: Listener | None = None,
+) -> Array:
+    """Points from the lines of a stream, (n, 3).
+
+    Parameters
+    ----------
+    stream : text stream, standing at line number ``first_line``
+    row : how each line holds its numbers
+    name : of the file, for messages
+    first_line : number of the line the stream stands at
+    rows : how many points to read; None reads to the end
+    progress : told the share of the file read and the newest points, (k, 3); False ends the
+        reading with the points so far
+
+    Raises
+    ------
+    ValueError: a line without three numbers, named by its line number; fewer rows than promised.
+    """
+    pieces: list[Array] = []
+    line = first_line
+    wanted = rows
+    size = _size(stream) if progress is not None else 0
+    while wanted is None or wanted > 0:
+        lines = list(islice(stream, PIECE if wanted is None else min(wanted, PIECE)))
+        if not lines:
+            break
+        points = _piece(lines, row, name, line)
+        pieces.append(points)
+        line += len(lines)
+        wanted = None if wanted is None else wanted - len(points)
+        if progress is not None and not progress.update(
+            min(stream.buffer.tell() / size, 0.99), points
+        ):
+            return np.concatenate(pieces)
+    points = np.concatenate(pieces) if pieces else np.empty((0, 3))
+    if rows is not None and len(points) < rows:
+        raise ValueError(
+            f"{name} promises {rows} points but ends after {len(points)}. "
+            "It was cut off while it was written or copied; get it again."
+        )
+    return points
+
+
+def _size(stream: TextIO) -> int:
+    buffer = stream.buffer
+    here = buffer.tell()
+    size = buffer.seek(0, 2)
+    buffer.seek(here)
+    return max(size, 1)
+
+
+def _piece(lines: list[str], row: Row, name: str, first_line: int) -> Array:
+    if row.decimal_comma:
+        lines = [line.replace(",", ".") for line in lines]
+    if not any(holds_data(line) for line in lines):
+        return np.empty((0, 3))
+    try:
+        return _load(lines, row)
+    except ValueError as error:
+        for number, line in enumerate(lines, first_line):
+            if holds_data(line):
+                _require_numbers(line, row, name, number)
+        try:
+            return _load([line for line in lines if holds_data(line)], row)
+        except ValueError:
+            last_line = first_line + len(lines) - 1
+            raise ValueError(
+                f"{name} has no readable numbers between line {first_line} and line {last_line}: "
+                f"{error}"
+            ) from None
+
+
+def _load(lines: list[str], row: Row) -> Array:
+    return np.loadtxt(lines, delimiter=row.separator, comments="#", usecols=row.columns, ndmin=2)
+
+
+def holds_data(line: str) -> bool:
+    """Whether the line is neither blank nor a comment."""
+    text = line.lstrip()
+    return bool(text) and not text.startswith(COMMENT_MARKS)
+
+
+def _require_numbers(line: str, row: Row, name: str, number: int) -> None:
+    fields = row.fields(line.partition("#")[0])
+    shown = line.strip()[:60]
+    if len(fields) <= max(row.columns):
+        raise ValueError(
+            f"Line {number} of {name} has {len(fields)} column{'s' * (len(fields) != 1)}, "
+            f"x, y and z need {max(row.columns) + 1}: '{shown}'. "
+            "Complete the line or delete it."
+        )
+    for column in row.columns:
+        try:
+            float(fields[column])
+        except ValueError:
+            raise ValueError(
+                f"Line {number} of {name} holds '{fields[column][:30]}' where a number should be: "
+                f"'{shown}'. Correct the line or delete it."
+            ) from None
