@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from freecad_edgescan import document as document
+    from freecad_edgescan import experiments as experiments
     from freecad_edgescan.cloud import CoreBox as CoreBox
     from freecad_edgescan.cloud import PointCloud as PointCloud
     from freecad_edgescan.cloud import TorusObject as TorusObject
@@ -54,7 +55,7 @@ _HOME_OF = {
     # geometry
     "BSplineCurve": "geometry",
 }
-_PACKAGES = ("document",)
+_PACKAGES = ("experiments", "document")
 
 __all__ = [*_HOME_OF, *_PACKAGES]
 

@@ -44,6 +44,7 @@ def test_numbers_are_scanned_without_freecad_or_qt() -> None:
     assert not {"FreeCAD", "Part", "Points", "PySide", "PySide2", "PySide6"} & loaded
 
 
+# document needs FreeCAD and is tested there
 @pytest.mark.parametrize("name", [name for name in es.__all__ if name != "document"])
 def test_every_public_name_exists_and_is_documented(name: str) -> None:
     assert getattr(es, name).__doc__

@@ -1,0 +1,335 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: ``./edgescan scan …`` or ``python3 -m freecad_edgescan scan …``.
+
+Each sub-command calls one public function and prints what it answers. Lengths are mm; angles
+are degrees here and nowhere else. What a user got wrong is one sentence on stderr and exit
+code 2. The numbers packages are imported when a command needs them, so that help is instant.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from freecad_edgescan.terminal_progress import TerminalProgress
+
+if TYPE_CHECKING:
+    from freecad_edgescan.cloud import PointCloud
+    from freecad_edgescan.scanning import ScannedEdge
+
+Vector = tuple[float, float, float]
+
+SCAN_EXAMPLES = """examples:
+  edgescan scan part.ply --at 12.5,-3,40 -o edge.step
+  edgescan scan part.xyz --at 1,2,3 --at 4,5,6 -o edges.csv -o edges.step --picture edges.png
+  edgescan scan probed.asc --probe-radius 1 --approach 0,0,-1 --at 10,0,5 --gate 90,0,5 -o rim.step
+  edgescan scan part.ply --start 0,-5,0 --across 0,1,0 --along 1,0,0 \\
+                         --gate 80,-5,0 --gate-across 0,1,0 --amplitude 10
+"""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one sentence instead of printing the whole usage."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: {message}; {self.prog} --help tells more.\n")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one sub-command and answer its exit code."""
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    options = _parser().parse_args(_bind_negative_values(words))
+    warnings.showwarning = _show_warning
+    try:
+        return int(options.run(options))
+    except (ValueError, OSError, ImportError, MemoryError) as error:
+        if options.debug:
+            raise
+        print(f"edgescan: {_sentence(error)}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("edgescan: stopped.", file=sys.stderr)
+        return 130
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="edgescan", description="True sharp edges from scanned point clouds.")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", dest="command")
+
+    scan = _add_command(commands, "scan", _scan, "scan edges of a cloud", SCAN_EXAMPLES)
+    scan.add_argument("file", help=".xyz .txt .asc .csv .ply .pcd")
+    scan.add_argument(
+        "--at", type=_vector, action="append", default=[], metavar="X,Y,Z",
+        help="a point near an edge, mm; repeat for more edges",
+    )  # fmt: skip
+    scan.add_argument("--start", type=_vector, metavar="X,Y,Z", help="first point, on one side")
+    scan.add_argument("--across", type=_vector, metavar="DX,DY,DZ", help="from it over the edge")
+    scan.add_argument("--along", type=_vector, metavar="DX,DY,DZ", help="from it along the edge")
+    scan.add_argument(
+        "--gate", type=_vector, metavar="X,Y,Z",
+        help="walk towards this point and end there; with --gate-across the gate's first end",
+    )  # fmt: skip
+    scan.add_argument(
+        "--gate-across", type=_vector, metavar="DX,DY,DZ", help="from the gate over the edge"
+    )
+    scan.add_argument("--amplitude", type=float, metavar="MM", help="both sides together")
+    scan.add_argument("--edge-pitch", type=float, metavar="MM", help="distance of edge points")
+    scan.add_argument(
+        "--probe-radius", type=float, default=0.0, metavar="MM",
+        help="the cloud holds centres of a ball of this radius",
+    )  # fmt: skip
+    scan.add_argument(
+        "--approach", type=_vector, metavar="DX,DY,DZ", help="direction the probe came along"
+    )
+    scan.add_argument(
+        "-o", "--output", type=Path, action="append", default=[], metavar="FILE",
+        help=".step for CAD (needs FreeCAD), .csv for edge points with sigma; repeatable",
+    )  # fmt: skip
+    scan.add_argument("--picture", type=Path, metavar="FILE.png", help="cloud and edges, drawn")
+
+    info = _add_command(commands, "info", _info, "what is in a cloud file")
+    info.add_argument("file", help=".xyz .txt .asc .csv .ply .pcd")
+
+    bench = _add_command(commands, "bench", _bench, "how fast this machine is")
+    bench.add_argument("--points", type=int, default=1_000_000, metavar="N", help="cloud size")
+
+    demo = _add_command(
+        commands, "demo", _demo, "scan the edges of a simulated core box, sweep and loft"
+    )
+    demo.add_argument(
+        "-o", "--output", type=Path, default=Path("demo"), metavar="FOLDER",
+        help="where the document, STEP, table and pictures go (default: demo)",
+    )  # fmt: skip
+    return parser
+
+
+def _add_command(
+    commands: Any, name: str, run: Any, summary: str, epilog: str | None = None
+) -> argparse.ArgumentParser:
+    parser: argparse.ArgumentParser = commands.add_parser(
+        name,
+        help=summary,
+        description=summary[0].upper() + summary[1:] + ". Lengths are mm.",
+        epilog=epilog,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--debug", action="store_true", help="show where an error came from")
+    parser.set_defaults(run=run)
+    return parser
+
+
+def _bind_negative_values(words: Sequence[str]) -> list[str]:
+    """Write ``--at -1,2,3`` as ``--at=-1,2,3``, which argparse would take for an option."""
+    bound: list[str] = []
+    for word in words:
+        if bound and re.match(r"-\.?\d", word) and re.fullmatch(r"--[a-z-]+", bound[-1]):
+            bound[-1] += f"={word}"
+        else:
+            bound.append(word)
+    return bound
+
+
+def _vector(text: str) -> Vector:
+    try:
+        x, y, z = (float(number) for number in re.split(r"[,;\s]+", text.strip()))
+    except ValueError:
+        words = f"{text!r} is not three numbers such as 1.5,-2,30"
+        raise argparse.ArgumentTypeError(words) from None
+    return x, y, z
+
+
+def _sentence(error: BaseException) -> str:
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename}: {error.strerror}." if error.filename else f"{error.strerror}."
+    return str(error) or f"{type(error).__name__}; --debug tells where."
+
+
+def _show_warning(message: Warning | str, *_: Any) -> None:
+    print(f"edgescan: {message}", file=sys.stderr)
+
+
+# ---------------------------------------------------------------- sub-commands
+
+
+def _scan(options: argparse.Namespace) -> int:
+    from freecad_edgescan.cloud import read_cloud
+    from freecad_edgescan.scanning import ScanParameters
+
+    targets = _targets(options)
+    for path in options.output:
+        _check_output(path, (".step", ".stp", ".csv"))
+    if options.picture:
+        _check_output(options.picture, (".png", ".svg", ".pdf", ".jpg"))
+    parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
+    cloud = read_cloud(options.file, options.probe_radius, options.approach)
+    edges, failed = _scan_targets(cloud, targets, parameters)
+    if not edges:
+        return 2
+    print(_table(edges))
+    for path in options.output:
+        _write_edges(edges, path)
+    if options.picture:
+        from freecad_edgescan.experiments import draw_edges
+
+        draw_edges(cloud, list(edges.values()), options.picture)
+        print(f"Wrote {options.picture}")
+    return 2 if failed else 0
+
+
+def _targets(options: argparse.Namespace) -> list[tuple[Any, Any]]:
+    """What to scan from and to: pairs of a click or Start, and a point, Gate or None."""
+    from freecad_edgescan.scanning import Gate, Start
+
+    gate: Any = options.gate
+    if options.gate_across is not None:
+        if gate is None:
+            raise ValueError("--gate-across needs --gate, the gate's first end; give both.")
+        gate = Gate(gate, options.gate_across)
+    if options.start is None:
+        if options.across is not None or options.along is not None:
+            raise ValueError("--across and --along belong to --start; give it, or leave them out.")
+        if not options.at:
+            raise ValueError("no place to scan at was given; give --at X,Y,Z near an edge.")
+        if gate is not None and len(options.at) > 1:
+            raise ValueError(
+                f"one --gate cannot end {len(options.at)} edges; give one --at with it."
+            )
+        return [(at, gate) for at in options.at]
+    if options.at:
+        raise ValueError("--at and --start both say where to begin; give one of them.")
+    if options.across is None or options.along is None:
+        raise ValueError("--start needs --across and --along; give these two directions.")
+    return [(Start(options.start, options.across, options.along), gate)]
+
+
+def _check_output(path: Path, endings: Sequence[str]) -> None:
+    if path.suffix.lower() not in endings:
+        raise ValueError(f"{path} has an unknown ending; use one of {' '.join(endings)}.")
+    if not path.parent.is_dir():
+        raise ValueError(f"{path} cannot be written: there is no folder {path.parent}.")
+
+
+def _scan_targets(
+    cloud: PointCloud, targets: Sequence[tuple[Any, Any]], parameters: Any
+) -> tuple[dict[int, ScannedEdge], bool]:
+    """Edges by their number; a target that fails is told and leaves the others alone."""
+    from freecad_edgescan.scanning import ScanError, scan_edge
+
+    edges: dict[int, ScannedEdge] = {}
+    for number, (at, gate) in enumerate(targets, 1):
+        with TerminalProgress(f"edge {number} of {len(targets)}") as progress:
+            try:
+                edges[number] = scan_edge(
+                    cloud, at=at, gate=gate, parameters=parameters, progress=progress
+                )
+            except ScanError as error:
+                progress.clear()
+                print(f"edgescan: edge {number}: {error}", file=sys.stderr)
+        if progress.cancelled:
+            print("edgescan: stopped; what was found so far is kept.", file=sys.stderr)
+            break
+    return edges, len(edges) < len(targets)
+
+
+def _table(edges: dict[int, ScannedEdge]) -> str:
+    import numpy as np
+
+    lines = [
+        "edge  points     length  stops at start / end       sigma   angle   fillet",
+        "                     mm                             mean mm   deg  radius mm",
+    ]
+    for number, edge in edges.items():
+        path = np.vstack([edge.points, edge.points[:1]]) if edge.closed else edge.points
+        length = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
+        stops = " / ".join(stop.name for stop in edge.stops)
+        radii = edge.fillet_radius[np.isfinite(edge.fillet_radius)]
+        radius = f"{np.median(radii):9.3f}" if len(radii) else "        -"
+        sigma, angle = np.mean(edge.sigma), np.degrees(np.mean(edge.angle))
+        lines.append(
+            f"{number:4d}  {len(edge.points):6d}  {length:9.3f}  {stops:<24}"
+            f"  {sigma:7.4f}  {angle:6.1f}  {radius}"
+        )
+        if edge.message:
+            lines.append(f"      {edge.message}")
+    return "\n".join(lines)
+
+
+def _write_edges(edges: dict[int, ScannedEdge], path: Path) -> None:
+    if path.suffix.lower() == ".csv":
+        for number, edge in edges.items():
+            file = path if len(edges) == 1 else path.with_stem(f"{path.stem}-{number}")
+            edge.to_csv(file)
+            print(f"Wrote {file}")
+        return
+    try:
+        from freecad_edgescan import document
+    except ImportError as error:
+        raise ValueError(
+            f"{path} needs FreeCAD, which did not load ({error}); write .csv instead."
+        ) from error
+    document.export_step(list(edges.values()), path)
+    print(f"Wrote {path}")
+
+
+def _info(options: argparse.Namespace) -> int:
+    import numpy as np
+
+    from freecad_edgescan.cloud import read_cloud
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the table below counts what was dropped
+        cloud = read_cloud(options.file)
+    lowest, highest = cloud.bounds
+    sample = cloud.points[:: max(1, len(cloud) // 500)]
+    coarse, fine = np.nanmedian(cloud.local_pitch(sample), axis=0)
+    print(f"points   {len(cloud)}")
+    print(f"dropped  {cloud.dropped} rows without three finite numbers")
+    for axis, low, high in zip("xyz", lowest, highest, strict=True):
+        print(f"{axis}        {low:.6g} to {high:.6g} mm ({high - low:.6g})")
+    print(f"pitch    {cloud.pitch:.4g} mm ({coarse:.4g} in the one direction, {fine:.4g} across)")
+    print(f"noise    {cloud.noise:.4g} mm standard deviation along the normal")
+    return 0
+
+
+def _bench(options: argparse.Namespace) -> int:
+    from freecad_edgescan.experiments import measure_speed
+
+    with TerminalProgress("bench") as progress:
+        speed = measure_speed(options.points, progress)
+    print(f"cloud              {speed.points} points")
+    for ending, seconds in speed.reading.items():
+        ratio = seconds / speed.bare_indexing
+        print(
+            f"reading {ending}       {speed.per_million(seconds):.2f} s per million points "
+            f"({ratio:.1f} x SciPy's bare KD-tree)"
+        )
+    print(
+        f"indexing           {speed.per_million(speed.indexing):.2f} s per million points "
+        f"({speed.indexing_ratio:.2f} x SciPy's bare KD-tree, "
+        f"{speed.per_million(speed.bare_indexing):.2f} s)"
+    )
+    print(
+        f"scanning           {speed.edge_points_per_second:.0f} edge points per second "
+        f"({speed.edge_points} in {speed.scanning:.2f} s, mean error {speed.mean_error:.4f} mm)"
+    )
+    return 0
+
+
+def _demo(options: argparse.Namespace) -> int:
+    from freecad_edgescan.document.demo import make_demo
+
+    options.output.mkdir(parents=True, exist_ok=True)
+    with TerminalProgress("demo") as progress:
+        result = make_demo(options.output, progress)
+    if isinstance(result, str):
+        print(result)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How fast this machine reads, indexes and scans a cloud.
+
+Indexing is compared with SciPy's bare KD-tree on the same points in the same run, so that the
+ratio says something about this software on any machine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import perf_counter
+from typing import TypeVar
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..cloud import PointCloud, SimulatedCloud, TorusObject, read_cloud, write_cloud
+from ..scanning import Progress, scan_edge
+
+__all__ = ["Speed", "measure_speed"]
+
+Result = TypeVar("Result")
+
+OBJECT = TorusObject(section_radius=100.0, edge_radius=150.0, angle=np.radians(110.0))
+AMPLITUDE = 60.0  # mm, of the simulated strip on both sides of the edge together
+NOISE = 0.02  # mm
+
+
+@dataclass(frozen=True)
+class Speed:
+    """Seconds this machine needs.
+
+    Attributes
+    ----------
+    points : number of points in the cloud
+    reading : seconds to read them, by file name ending
+    indexing : seconds for the cloud's KD-tree
+    bare_indexing : seconds for SciPy's KD-tree alone
+    scanning : seconds for one edge from one click, everything automatic
+    edge_points : number of edge points that gave
+    mean_error : their mean distance from the true edge, mm
+    """
+
+    points: int
+    reading: dict[str, float]
+    indexing: float
+    bare_indexing: float
+    scanning: float
+    edge_points: int
+    mean_error: float
+
+    @property
+    def edge_points_per_second(self) -> float:
+        """Edge points in a second of scanning."""
+        return self.edge_points / self.scanning
+
+    @property
+    def indexing_ratio(self) -> float:
+        """Time for the cloud's index over the time for SciPy's bare tree."""
+        return self.indexing / self.bare_indexing
+
+    def per_million(self, seconds: float) -> float:
+        """Seconds for a million points, of seconds for this cloud."""
+        return seconds * 1e6 / self.points
+
+
+def measure_speed(points: int = 1_000_000, progress: Progress | None = None) -> Speed:
+    """Time reading, indexing and scanning on a simulated cloud with one curved edge.
+
+    Parameters
+    ----------
+    points : int
+        About how many points the cloud shall have.
+    progress : object with ``update``, optional
+        Is told how far the measurement is; its answer is not heeded.
+
+    Raises
+    ------
+    ValueError: fewer than 10 000 points.
+    """
+    if points < 10_000:
+        raise ValueError(f"A speed cannot be told from {points} points; take 10000 or more.")
+    tell = progress.update if progress is not None else _tell_nobody
+    tell(0.0, "simulating")
+    cloud = simulated_cloud(points)
+    reading = {}
+    with TemporaryDirectory() as folder:
+        for number, ending in enumerate((".xyz", ".ply")):
+            tell(0.1 + 0.2 * number, f"reading {ending}")
+            path = Path(folder) / f"cloud{ending}"
+            write_cloud(cloud, path)
+            reading[ending] = _seconds(lambda path=path: read_cloud(path))[0]
+    tell(0.6, "indexing")
+    array = np.array(cloud.points)
+    bare = min(_seconds(lambda: cKDTree(array, balanced_tree=False))[0] for _ in range(3))
+    indexing = min(_seconds(lambda: PointCloud(array).tree)[0] for _ in range(3))
+    tell(0.7, "scanning")
+    fresh = PointCloud(array)
+    fresh.tree  # noqa: B018 (built before the clock of the scan starts)
+    true_edge = cloud.edges[0]
+    click = true_edge.points[len(true_edge) // 2]
+    scanning, edge = _seconds(lambda: scan_edge(fresh, at=click))
+    tell(1.0, "done")
+    return Speed(
+        points=len(cloud),
+        reading=reading,
+        indexing=indexing,
+        bare_indexing=bare,
+        scanning=scanning,
+        edge_points=len(edge.points),
+        mean_error=float(true_edge.distance(edge.points).mean()),
+    )
+
+
+def simulated_cloud(points: int) -> SimulatedCloud:
+    """Half a ring with a curved edge, of about so many points."""
+    trial = OBJECT.cloud(pitch=1.0, amplitude=AMPLITUDE)
+    pitch = float(np.sqrt(len(trial) / points))
+    return OBJECT.cloud(pitch=pitch, amplitude=AMPLITUDE, noise=NOISE, seed=0)
+
+
+def _seconds(task: Callable[[], Result]) -> tuple[float, Result]:
+    began = perf_counter()
+    result = task()
+    return perf_counter() - began, result
+
+
+def _tell_nobody(fraction: float, so_far: object) -> bool:
+    return True

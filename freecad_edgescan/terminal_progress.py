@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Progress on a terminal: one line that is rewritten; Ctrl-C keeps what was found so far."""
+
+from __future__ import annotations
+
+import math
+import signal
+import sys
+import threading
+from time import monotonic
+from types import FrameType
+from typing import Any
+
+__all__ = ["TerminalProgress"]
+
+
+class TerminalProgress:
+    """Tells stderr how far a task is, and cancels it gently on the first Ctrl-C.
+
+    On a terminal one line is rewritten several times a second; elsewhere (a log file) a line is
+    written every few seconds. A second Ctrl-C stops at once.
+    """
+
+    def __init__(self, task: str) -> None:
+        self.task = task
+        self.cancelled = False
+        self._rewrites = sys.stderr.isatty()
+        self._pause = 0.15 if self._rewrites else 5.0
+        self._told = monotonic()
+        self._width = 0
+        self._handler: Any = None
+
+    def __enter__(self) -> TerminalProgress:
+        if threading.current_thread() is threading.main_thread():
+            self._handler = signal.signal(signal.SIGINT, self._cancel)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.clear()
+        if self._handler is not None:
+            signal.signal(signal.SIGINT, self._handler)
+
+    def update(self, fraction: float, so_far: object) -> bool:
+        """Tell the share that is done and what there is so far; False once Ctrl-C was pressed."""
+        if monotonic() - self._told >= self._pause:
+            self._told = monotonic()
+            self._write(" ".join(filter(None, (self.task, _share(fraction), _amount(so_far)))))
+        return not self.cancelled
+
+    def clear(self) -> None:
+        """Take the line off the terminal again."""
+        if self._rewrites and self._width:
+            sys.stderr.write("\r" + " " * self._width + "\r")
+            sys.stderr.flush()
+            self._width = 0
+
+    def _write(self, line: str) -> None:
+        if self._rewrites:
+            sys.stderr.write("\r" + line.ljust(self._width))
+            self._width = len(line)
+        else:
+            sys.stderr.write(line + "\n")
+        sys.stderr.flush()
+
+    def _cancel(self, number: int, frame: FrameType | None) -> None:
+        if self.cancelled:
+            raise KeyboardInterrupt
+        self.cancelled = True
+
+
+def _share(fraction: float) -> str:
+    return "" if math.isnan(fraction) else f"{100 * fraction:3.0f} %"
+
+
+def _amount(so_far: object) -> str:
+    if isinstance(so_far, str):
+        return so_far
+    points = getattr(so_far, "points", None)
+    return "" if points is None else f"{len(points)} edge points"

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The command line: what a user gets wrong is one sentence, and nothing is lost."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from freecad_edgescan.__main__ import main
+
+PITCH = 0.5  # mm
+
+
+def roof(noise: float = 0.01) -> np.ndarray:
+    """Two planes that meet at a right angle in the x axis, 40 mm long, 8 mm to each side."""
+    along, away = np.meshgrid(np.arange(-20, 20, PITCH), np.arange(PITCH / 2, 8, PITCH))
+    sides = []
+    for direction in ((0, 1, -1), (0, -1, -1)):
+        unit = np.array(direction) / np.sqrt(2)
+        sides.append(np.outer(along.ravel(), (1, 0, 0)) + np.outer(away.ravel(), unit))
+    points = np.vstack(sides)
+    return points + np.random.default_rng(5).normal(0, noise, points.shape)
+
+
+@pytest.fixture
+def roof_file(tmp_path: Path) -> Path:
+    path = tmp_path / "roof.xyz"
+    np.savetxt(path, roof())
+    return path
+
+
+def complaint(capsys: pytest.CaptureFixture[str], *words: str | Path) -> str:
+    """The one sentence a failing command says."""
+    code: object
+    try:
+        code = main([str(word) for word in words])
+    except SystemExit as stopped:
+        code = stopped.code
+    said = capsys.readouterr()
+    assert code == 2
+    assert "Traceback" not in said.err
+    assert len(said.err.strip().splitlines()) == 1, said.err
+    return said.err
+
+
+# ---------------------------------------------------------------- what works
+
+
+def test_info_tells_points_size_pitch_and_noise(capsys, roof_file: Path) -> None:
+    assert main(["info", str(roof_file)]) == 0
+    said = capsys.readouterr().out
+    assert "2560" in said
+    pitch = float(said.split("pitch")[1].split()[0])
+    noise = float(said.split("noise")[1].split()[0])
+    assert pitch == pytest.approx(PITCH, rel=0.15)
+    assert noise == pytest.approx(0.01, rel=0.25)
+
+
+def test_info_counts_rows_with_nan(capsys, tmp_path: Path) -> None:
+    points = roof()
+    points[5, 1] = np.nan
+    np.savetxt(tmp_path / "holes.xyz", points)
+    assert main(["info", str(tmp_path / "holes.xyz")]) == 0
+    assert "dropped  1 " in capsys.readouterr().out
+
+
+def test_scan_prints_a_table_and_writes_edge_points(capsys, roof_file: Path) -> None:
+    table = roof_file.parent / "edge.csv"
+    assert main(["scan", str(roof_file), "--at", "-1,0.2,0", "-o", str(table)]) == 0
+    assert "CLOUD_END / CLOUD_END" in capsys.readouterr().out
+    lines = [
+        line for line in table.read_text().splitlines() if line[:1].isdigit() or line[:1] == "-"
+    ]
+    points = np.array([[float(word) for word in line.split(",")[:3]] for line in lines])
+    assert len(points) > 10
+    assert np.hypot(points[:, 1], points[:, 2]).max() < 0.05
+
+
+def test_several_clicks_give_several_numbered_tables(capsys, roof_file: Path) -> None:
+    words = ["--at", "-1,0.2,0", "--at", "3,0,0", "-o", str(roof_file.parent / "e.csv")]
+    assert main(["scan", str(roof_file), *words]) == 0
+    assert (roof_file.parent / "e-1.csv").is_file()
+    assert (roof_file.parent / "e-2.csv").is_file()
+
+
+def test_a_scan_from_start_to_gate_stops_at_the_gate(capsys, roof_file: Path) -> None:
+    words = ["--start", "-10,-2,-2", "--across", "0,1,1", "--along", "1,0,0", "--gate", "10,-2,-2"]
+    words += ["--gate-across", "0,1,0", "--amplitude", "6"]
+    assert main(["scan", str(roof_file), *words]) == 0
+    assert "START / GATE" in capsys.readouterr().out
+
+
+def test_one_bad_click_leaves_the_other_edges_alone(capsys, roof_file: Path) -> None:
+    table = roof_file.parent / "edge.csv"
+    words = ["--at", "500,0,0", "--at", "-1,0.2,0", "-o", str(table)]
+    assert main(["scan", str(roof_file), *words]) == 2
+    said = capsys.readouterr()
+    assert "edge 1" in said.err
+    assert table.is_file()
+
+
+# ---------------------------------------------------------------- bad input
+
+
+def test_a_missing_file_is_named(capsys, tmp_path: Path) -> None:
+    assert "nowhere.ply" in complaint(capsys, "info", tmp_path / "nowhere.ply")
+
+
+def test_an_empty_file_is_called_empty(capsys, tmp_path: Path) -> None:
+    (tmp_path / "nothing.xyz").touch()
+    said = complaint(capsys, "info", tmp_path / "nothing.xyz")
+    assert "nothing.xyz" in said
+
+
+def test_a_folder_is_no_cloud(capsys, tmp_path: Path) -> None:
+    (tmp_path / "folder.xyz").mkdir()
+    assert "folder.xyz" in complaint(capsys, "info", tmp_path / "folder.xyz")
+
+
+def test_an_unknown_ending_lists_the_known_ones(capsys, tmp_path: Path) -> None:
+    (tmp_path / "part.doc").write_text("1 2 3\n")
+    said = complaint(capsys, "info", tmp_path / "part.doc")
+    assert ".doc" in said
+    assert ".ply" in said
+
+
+def test_a_wrongly_named_file_is_told(capsys, tmp_path: Path) -> None:
+    (tmp_path / "part.ply").write_text("1 2 3\n4 5 6\n")
+    assert "part.ply" in complaint(capsys, "info", tmp_path / "part.ply")
+
+
+def test_text_among_the_numbers_is_told_with_its_line(capsys, tmp_path: Path) -> None:
+    rows = ["1 2 3"] * 6 + ["1 two 3"] + ["4 5 6"] * 30
+    (tmp_path / "typo.xyz").write_text("\n".join(rows))
+    said = complaint(capsys, "info", tmp_path / "typo.xyz")
+    assert "typo.xyz" in said
+    assert "7" in said.replace(str(tmp_path), "")
+
+
+def test_a_handful_of_points_is_no_surface(capsys, tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "few.xyz", roof()[:7])
+    assert "7" in complaint(capsys, "scan", tmp_path / "few.xyz", "--at", "0,0,0").replace(
+        str(tmp_path), ""
+    )
+
+
+@pytest.mark.parametrize(
+    "points",
+    [
+        np.ones((100, 3)),
+        np.outer(np.arange(100.0), (1, 2, 3)),
+        np.array([(x, y, 0.0) for x in range(20) for y in range(20)]),
+    ],
+    ids=["one place", "one line", "one plane"],
+)
+def test_a_cloud_without_an_edge_says_so(capsys, tmp_path: Path, points: np.ndarray) -> None:
+    np.savetxt(tmp_path / "dull.xyz", points)
+    complaint(capsys, "scan", tmp_path / "dull.xyz", "--at", "5,5,0")
+
+
+def test_a_click_off_the_cloud_says_how_far(capsys, roof_file: Path) -> None:
+    said = complaint(capsys, "scan", roof_file, "--at", "0,0,100")
+    assert "100" in said
+
+
+def test_a_click_on_a_flat_place_is_refused(capsys, tmp_path: Path) -> None:
+    flat = np.array([(x, y, 0.0) for x in np.arange(0, 20, 0.5) for y in np.arange(0, 20, 0.5)])
+    flat += np.random.default_rng(3).normal(0, 0.01, flat.shape)
+    np.savetxt(tmp_path / "flat.xyz", flat)
+    complaint(capsys, "scan", tmp_path / "flat.xyz", "--at", "10,10,0")
+
+
+def test_an_edge_pitch_below_the_cloud_pitch_is_refused(capsys, roof_file: Path) -> None:
+    said = complaint(capsys, "scan", roof_file, "--at", "0,0,0", "--edge-pitch", "0.01")
+    assert "0.01" in said
+
+
+def test_a_negative_amplitude_is_refused_with_its_value(capsys, roof_file: Path) -> None:
+    said = complaint(capsys, "scan", roof_file, "--at", "0,0,0", "--amplitude", "-3")
+    assert "-3" in said
+
+
+def test_a_probe_larger_than_the_part_is_refused(capsys, roof_file: Path) -> None:
+    words = ("--at", "0,0,0", "--probe-radius", "80", "--approach", "0,0,-1")
+    assert "80" in complaint(capsys, "scan", roof_file, *words)
+
+
+@pytest.mark.parametrize("place", ["1,2", "1,2,x", "here"])
+def test_a_place_that_is_not_three_numbers_is_quoted(capsys, place: str) -> None:
+    assert repr(place) in complaint(capsys, "scan", "part.ply", "--at", place)
+
+
+@pytest.mark.parametrize(
+    ("words", "clue"),
+    [
+        ([], "--at"),
+        (["--at", "0,0,0", "--start", "0,0,0"], "--start"),
+        (["--start", "0,0,0"], "--across"),
+        (["--across", "0,1,0"], "--start"),
+        (["--at", "0,0,0", "--gate-across", "0,1,0"], "--gate"),
+        (["--at", "0,0,0", "--at", "1,1,1", "--gate", "2,2,2"], "--gate"),
+    ],
+)
+def test_contradictory_options_are_told_apart(
+    capsys, roof_file: Path, words: list[str], clue: str
+) -> None:
+    assert clue in complaint(capsys, "scan", roof_file, *words)
+
+
+def test_an_output_that_cannot_be_written_is_told_before_scanning(capsys, roof_file: Path) -> None:
+    said = complaint(capsys, "scan", roof_file, "--at", "0,0,0", "-o", "/nowhere/edge.csv")
+    assert "/nowhere" in said
+    said = complaint(capsys, "scan", roof_file, "--at", "0,0,0", "-o", "edge.iges")
+    assert ".step" in said
