@@ -272,24 +272,26 @@ class BSplineCurve:
         away = self.evaluate(u) - asked
         square = np.sum(away**2, axis=1)
         active = np.arange(len(asked))
+        first, last = self.parameter_range
         for _ in range(30):
             if not len(active):
                 break
             step = self._newton_step(u[active], away[active])
-            better = np.zeros(len(active), dtype=bool)
-            for _ in range(6):
-                trial = self._inside(u[active] + step)
-                moved = self.evaluate(trial) - asked[active]
+            waiting = np.arange(len(active))
+            for shrink in 0.25 ** np.arange(6):
+                rows = active[waiting]
+                trial = self._inside(u[rows] + shrink * step[waiting])
+                moved = self.evaluate(trial) - asked[rows]
                 reached = np.sum(moved**2, axis=1)
-                take = ~better & (reached < square[active])
-                rows = active[take]
-                u[rows], away[rows], square[rows] = trial[take], moved[take], reached[take]
-                better |= take
-                if better.all():
+                nearer = reached < square[rows]
+                rows = rows[nearer]
+                u[rows], away[rows], square[rows] = trial[nearer], moved[nearer], reached[nearer]
+                waiting = waiting[~nearer]
+                if not len(waiting):
                     break
-                step = np.where(better, 0.0, step / 4)
-            first, last = self.parameter_range
-            active = active[better & (np.abs(step) > 1e-12 * (last - first))]
+            going = np.abs(step) > 1e-12 * (last - first)
+            going[waiting] = False
+            active = active[going]
         return u, np.sqrt(square)
 
     def _newton_step(self, u: Array, away: Array) -> Array:
@@ -298,7 +300,7 @@ class BSplineCurve:
         slope = np.sum(away * first, axis=1)
         square = np.sum(first**2, axis=1)
         bend = square + np.sum(away * second, axis=1)
-        bend = np.where(bend > 0.1 * square, bend, square)
+        bend = np.where(bend > 1e-3 * square, bend, square)
         longest = np.diff(self._breaks[0]).max()
         return np.clip(-slope / np.where(bend > 0.0, bend, np.inf), -longest, longest)
 

@@ -12,7 +12,7 @@ DIRECTION = np.array([2.0, -1.0, 2.0]) / 3.0
 
 
 def test_points_of_a_line_give_that_line_without_residuals():
-    fit = fit_line([5, 6, 7] + np.outer([0, 1, 4, 9], DIRECTION))
+    fit = fit_line(np.array([5, 6, 7]) + np.outer([0, 1, 4, 9], DIRECTION))
     assert np.allclose(fit.line.direction, DIRECTION)
     assert np.abs(fit.residuals).max() < 1e-14 and fit.freedom == 4
 
