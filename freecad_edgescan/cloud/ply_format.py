@@ -251,13 +251,12 @@ def _fixed_table(
     row = _row_type(element, order, lengths)
     data = stream.read(row.itemsize * element.count)
     table = np.frombuffer(data, row, len(data) // row.itemsize if row.itemsize else 0)
-    place = 0
-    for p in element.properties:
+    places = accumulate((2 if p.counted_by else 1 for p in element.properties), initial=0)
+    for p, place in zip(element.properties, places, strict=False):
         if p.counted_by:
-            if np.any(table[row.names[place]] != lengths[p.name]) or len(table) < element.count:
+            found = table[f"{place} {p.name} length"]
+            if len(table) < element.count or np.any(found != lengths[p.name]):
                 return None
-            place += 1
-        place += 1
     return table
 
 

@@ -106,7 +106,7 @@ def _box(region: ArrayLike | None) -> Array | None:
         box = np.empty(0)
     if box.shape != (2, 3) or not np.all(box[0] <= box[1]):
         raise ValueError(
-            f"The region {region} is no box. Give its lowest and highest corner, "
+            f"The region {region!r} is no box. Give its lowest and highest corner, "
             "((xmin, ymin, zmin), (xmax, ymax, zmax)) in mm."
         )
     return box

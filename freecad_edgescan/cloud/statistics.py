@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Pitch and noise of a cloud, estimated from small neighbourhoods of its points.
 
-1. *Pitch*: the k nearest points of a place fill a disc of the surface, so the density is k over
-   the disc's area. Places at the rim of the cloud, whose disc is not filled, are left out.
+1. *Pitch*: the k nearest points of a place fill a disc of the surface, folded or not, so the
+   density is k over the disc's area. At the rim of the cloud, where they lie to one side, they
+   fill only part of a disc; there their second moments C tell the area, 4 pi sqrt(det C).
 2. *Two pitches*: probes strewn over that disc are joined to their nearest points. For rows a
    apart with points b apart the offsets have the second moments a²/12 and b²/12, for points
    strewn at random they are alike in all directions.
 3. *Noise*: residuals of a quadric through each neighbourhood, divided by the degrees of freedom
-   it leaves, so that neither curvature nor the fit itself changes the figure. Neighbourhoods
-   that hold an edge stand out and are left aside.
+   it leaves, so that neither curvature nor the fit itself changes the figure. It is measured in
+   the half of the neighbourhoods that bends least, away from edges; how a fit bends and what it
+   leaves over are independent, so the choice does not change the figure either.
 """
 
 from __future__ import annotations
@@ -27,6 +29,7 @@ PITCH_NEIGHBOURS = 48
 NOISE_NEIGHBOURS = 32
 PROBES = 96  # strewn over one neighbourhood to see how its points are spaced
 QUADRIC_TERMS = 6
+LOPSIDED = 0.15  # of the radius: how far the centre of a filled disc may lie off its place
 
 
 def estimate_pitch(tree: cKDTree) -> float:
@@ -35,31 +38,30 @@ def estimate_pitch(tree: cKDTree) -> float:
     nan for a cloud of which all points are equal.
     """
     offsets = _neighbourhoods(tree, _seeds(tree), PITCH_NEIGHBOURS)
-    pitch = _disc_pitch(offsets)
-    lopsided = np.linalg.norm(offsets.mean(axis=1), axis=1) > 0.2 * _radii(offsets)
-    measurable = pitch > 0
-    inner = measurable & ~lopsided
-    chosen = inner if np.count_nonzero(inner) >= 0.1 * len(inner) else measurable
-    return float(np.median(pitch[chosen])) if chosen.any() else float("nan")
+    pitch = _pitch(offsets, *_in_local_axes(offsets))
+    measurable = pitch[pitch > 0]
+    return float(np.median(measurable)) if len(measurable) else float("nan")
 
 
 def estimate_local_pitch(tree: cKDTree, places: Array) -> Array:
     """Two principal pitches round each place, (m, 2), larger first, mm."""
+    pieces = np.split(places, range(SEEDS, len(places), SEEDS))
+    return np.concatenate([_two_pitches(tree, piece) for piece in pieces])
+
+
+def _two_pitches(tree: cKDTree, places: Array) -> Array:
     offsets = _neighbourhoods(tree, places, PITCH_NEIGHBOURS)
-    pitch = _disc_pitch(offsets)
-    flat = _in_local_axes(offsets)[:, :, :2]
+    local, centres = _in_local_axes(offsets)
+    flat = local[:, :, :2]
     radius = np.sqrt((flat**2).sum(axis=2).max(axis=1))
     probes = 0.6 * radius[:, None, None] * _disc(PROBES)
-    squares = (
-        (probes**2).sum(axis=2)[:, :, None]
-        - 2 * probes @ flat.transpose(0, 2, 1)
-        + (flat**2).sum(axis=2)[:, None, :]
-    )
+    squares = (flat**2).sum(axis=2)[:, None, :] - 2 * probes @ flat.transpose(0, 2, 1)
     nearest = np.take_along_axis(flat, squares.argmin(axis=2)[:, :, None], axis=1)
     gaps = probes - nearest
     moments = np.linalg.eigvalsh(gaps.transpose(0, 2, 1) @ gaps)
     with np.errstate(divide="ignore", invalid="ignore"):
         stretch = (moments[:, 1] / moments[:, 0]) ** 0.25
+    pitch = _pitch(offsets, local, centres)
     return np.stack([pitch * stretch, pitch / stretch], axis=1)
 
 
@@ -69,16 +71,16 @@ def estimate_noise(tree: cKDTree) -> float:
     0 where there are too few points to tell noise from shape.
     """
     offsets = _neighbourhoods(tree, _seeds(tree), PITCH_NEIGHBOURS)
-    local = _in_local_axes(offsets)
+    local, _ = _in_local_axes(offsets)
     nearest = np.argsort((local[:, :, :2] ** 2).sum(axis=2), axis=1)[:, :NOISE_NEIGHBOURS]
     local = np.take_along_axis(local, nearest[:, :, None], axis=1)
     freedom = local.shape[1] - QUADRIC_TERMS
     if freedom < 4:
         return 0.0
-    variance = _quadric_variance(local)
-    quartile = np.quantile(variance, 0.25) * freedom / chi2.ppf(0.25, freedom)
-    plain = variance <= 2.5 * quartile
-    return float(np.sqrt(variance[plain].mean()))
+    variance, bend = _quadric(local)
+    flat = variance[bend <= np.median(bend)]
+    typical = np.median(flat) * freedom / chi2.ppf(0.5, freedom)
+    return float(np.sqrt(flat[flat <= 2.5 * typical].mean()))
 
 
 def _seeds(tree: cKDTree) -> Array:
@@ -96,20 +98,24 @@ def _neighbourhoods(tree: cKDTree, places: Array, neighbours: int) -> Array:
     return np.asarray(tree.data)[indices] - places[:, None, :]
 
 
-def _radii(offsets: Array) -> Array:
-    return np.asarray(np.sqrt((offsets[:, -1] ** 2).sum(axis=1)))
-
-
-def _disc_pitch(offsets: Array) -> Array:
-    count = max(offsets.shape[1] - 1.5, 1.0)
-    return np.asarray(_radii(offsets) * np.sqrt(np.pi / count))
-
-
-def _in_local_axes(offsets: Array) -> Array:
-    """The neighbourhoods about their centres in principal axes, the normal last."""
-    centred = offsets - offsets.mean(axis=1, keepdims=True)
+def _in_local_axes(offsets: Array) -> tuple[Array, Array]:
+    """The neighbourhoods about their centres in principal axes, the normal last; the centres."""
+    centres = offsets.mean(axis=1, keepdims=True)
+    centred = offsets - centres
     _, axes = np.linalg.eigh(centred.transpose(0, 2, 1) @ centred)
-    return np.asarray(centred @ axes[:, :, ::-1])
+    axes = axes[:, :, ::-1]
+    return np.asarray(centred @ axes), np.asarray((centres @ axes)[:, 0])
+
+
+def _pitch(offsets: Array, local: Array, centres: Array) -> Array:
+    """Square root of the area per point in each neighbourhood, (m,), mm."""
+    count = offsets.shape[1]
+    square = (offsets[:, -1] ** 2).sum(axis=1)
+    disc = np.pi * square / max(count - 1.5, 1.0)
+    moments = (local[:, :, :2] ** 2).sum(axis=1) / max(count - 1, 1)
+    part = 4 * np.pi * np.sqrt(moments.prod(axis=1)) / count
+    lopsided = (centres[:, :2] ** 2).sum(axis=1) > LOPSIDED**2 * square
+    return np.asarray(np.sqrt(np.where(lopsided, part, disc)))
 
 
 def _disc(count: int) -> Array:
@@ -119,8 +125,8 @@ def _disc(count: int) -> Array:
     return np.sqrt(i / count)[:, None] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
 
-def _quadric_variance(local: Array) -> Array:
-    """Residual variance of h = quadric(u, v) in each neighbourhood, (m,), mm²."""
+def _quadric(local: Array) -> tuple[Array, Array]:
+    """A quadric h(u, v) through each neighbourhood: residual variance, mm², and bend, mm."""
     scale = np.sqrt((local**2).sum(axis=2).max(axis=1))[:, None, None]
     scaled = np.divide(local, scale, out=np.zeros_like(local), where=scale > 0)
     u, v, h = scaled[:, :, 0], scaled[:, :, 1], scaled[:, :, 2]
@@ -129,6 +135,10 @@ def _quadric_variance(local: Array) -> Array:
     seen = values > 1e-10 * values[:, -1:]
     inverse = np.divide(1.0, values, out=np.zeros_like(values), where=seen)
     projected = vectors.transpose(0, 2, 1) @ (terms.transpose(0, 2, 1) @ h[:, :, None])
-    residuals = h - (terms @ (vectors @ (inverse[:, :, None] * projected)))[:, :, 0]
+    coefficients = vectors @ (inverse[:, :, None] * projected)
+    residuals = h - (terms @ coefficients)[:, :, 0]
     freedom = np.maximum(local.shape[1] - seen.sum(axis=1), 1)
-    return np.asarray((residuals**2).sum(axis=1) / freedom * scale[:, 0, 0] ** 2)
+    size = scale[:, 0, 0]
+    variance = (residuals**2).sum(axis=1) / freedom * size**2
+    bend = np.sqrt((coefficients[:, 3:, 0] ** 2 @ np.array([1.0, 0.5, 1.0]))) * size
+    return np.asarray(variance), np.asarray(bend)
