@@ -24,6 +24,11 @@ def run(*words: str | Path, launcher: Path = LAUNCHER, **environment: str):
     )
 
 
+def home_at(folder: Path) -> dict[str, str]:
+    """Environment in which FreeCAD keeps its settings and add-ons in a folder."""
+    return dict.fromkeys(("HOME", "FREECAD_USER_HOME", "XDG_DATA_HOME"), str(folder))
+
+
 @pytest.fixture
 def small_cloud(tmp_path: Path) -> Path:
     """A flat grid of 30 x 30 points, 1 mm apart."""
@@ -90,21 +95,21 @@ def test_what_cannot_be_installed_is_listed_and_nothing_runs(tmp_path: Path) -> 
 
 
 def test_install_links_the_checkout_where_freecad_looks_for_it(tmp_path: Path) -> None:
-    answer = run("install", FREECAD_USER_HOME=str(tmp_path), HOME=str(tmp_path))
+    answer = run("install", **home_at(tmp_path))
     assert answer.returncode == 0, answer.stderr
     (link,) = tmp_path.rglob("Mod/EdgeScan")
     assert link.is_symlink()
     assert link.resolve() == LAUNCHER.parent
-    again = run("install", FREECAD_USER_HOME=str(tmp_path), HOME=str(tmp_path))
+    again = run("install", **home_at(tmp_path))
     assert again.returncode == 0, again.stderr
 
 
 def test_install_never_replaces_a_real_folder(tmp_path: Path) -> None:
-    assert run("install", FREECAD_USER_HOME=str(tmp_path), HOME=str(tmp_path)).returncode == 0
+    assert run("install", **home_at(tmp_path)).returncode == 0
     (link,) = tmp_path.rglob("Mod/EdgeScan")
     link.unlink()
     (link / "somebody's").mkdir(parents=True)
-    answer = run("install", FREECAD_USER_HOME=str(tmp_path), HOME=str(tmp_path))
+    answer = run("install", **home_at(tmp_path))
     assert answer.returncode == 1
     assert "not replaced" in answer.stderr
     assert (link / "somebody's").is_dir()
