@@ -1,2 +1,33 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scanning: from a click or a start and a gate to the points of an edge."""
+"""Scanning of edges: from a cloud and a click to edge points with their uncertainty."""
+
+from .errors import ScanError
+from .parameters import Compensation, Pattern, ScanParameters, Steering, Tangent
+from .progress import Progress, SoFar
+from .scan import scan_edge
+from .scan_lines import ScanLine, ScanLines
+from .scanned_edge import ScannedEdge
+from .section import Frames, Section, Station
+from .start import Gate, Start
+from .stop import Stop
+
+__all__ = [
+    "Compensation",
+    "Frames",
+    "Gate",
+    "Pattern",
+    "Progress",
+    "ScanError",
+    "ScanLine",
+    "ScanLines",
+    "ScanParameters",
+    "ScannedEdge",
+    "Section",
+    "SoFar",
+    "Start",
+    "Station",
+    "Steering",
+    "Stop",
+    "Tangent",
+    "scan_edge",
+]

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Every value a scan needs and nobody gave: chosen from the cloud, each with its reason."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..cloud.point_cloud import PointCloud
+from .errors import ScanError
+from .parameters import ScanParameters
+from .patch_section import PatchSettings
+
+MIN_ANGLE = 0.26  # rad, least turn between the two sides of an edge
+_AMPLITUDE = 44.0  # pitches
+_EDGE_PITCH = 2.0  # pitches
+_FEWEST_PITCHES = 6.0  # an amplitude below this has no room for two sides
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """Parameters with every value filled in, the reason of each, and the patch's settings."""
+
+    parameters: ScanParameters
+    reasons: dict[str, str]
+    settings: PatchSettings
+
+
+def choose_parameters(
+    cloud: PointCloud, near: np.ndarray, given: ScanParameters, min_angle: float = MIN_ANGLE
+) -> Chosen:
+    """Fill in the parameters that were not given.
+
+    Parameters
+    ----------
+    near : (3,) mm, where the scan begins; pitch is measured there
+    given : what the user asked for
+
+    Raises
+    ------
+    ScanError: values that cannot work with this cloud or with each other.
+    """
+    reasons = {name: "given" for name in given.given()}
+    pitch = float(np.sqrt(np.prod(cloud.local_pitch(near[None])[0])))
+    if not np.isfinite(pitch) or pitch <= 0:
+        pitch = cloud.pitch
+    pitch = float(np.clip(pitch, 0.5 * cloud.pitch, 2.0 * cloud.pitch))
+    probe = given.probe_radius
+    if probe is None:
+        probe = cloud.probe_radius
+        reasons["probe_radius"] = "the cloud's own"
+    approach = given.approach
+    if approach is None:
+        approach = cloud.approach
+        reasons["approach"] = "the cloud's own" if approach is not None else "unknown"
+    edge_pitch = given.edge_pitch
+    if edge_pitch is None:
+        edge_pitch = _EDGE_PITCH * pitch
+        reasons["edge_pitch"] = f"{_EDGE_PITCH:g} times the cloud pitch of {pitch:.3g} mm"
+    elif edge_pitch < pitch:
+        raise ScanError(
+            f"The edge pitch of {edge_pitch:g} mm is below the cloud pitch of {pitch:.3g} mm; "
+            f"give at least {pitch:.3g} mm, better {_EDGE_PITCH * pitch:.3g} mm."
+        )
+    amplitude = given.amplitude
+    if amplitude is None:
+        amplitude = _AMPLITUDE * pitch + 2.0 * probe
+        reasons["amplitude"] = (
+            f"{_AMPLITUDE:g} times the cloud pitch of {pitch:.3g} mm"
+            + (" and the probe's diameter" if probe else "")
+            + "; each side is used as far as it is one smooth surface"
+        )
+    elif amplitude < _FEWEST_PITCHES * pitch:
+        raise ScanError(
+            f"The amplitude of {amplitude:g} mm has no room for points on both sides of the edge "
+            f"in a cloud of pitch {pitch:.3g} mm; give at least {_FEWEST_PITCHES * pitch:.3g} mm."
+        )
+    extent = float(np.linalg.norm(cloud.size))
+    if probe > 0.25 * extent or probe >= 0.5 * amplitude:
+        raise ScanError(
+            f"The probe radius of {probe:g} mm is larger than what is to be scanned (amplitude "
+            f"{amplitude:.3g} mm, cloud {extent:.3g} mm across); check the radius and its unit."
+        )
+    noise = max(cloud.noise, 2e-3 * pitch)
+    reasons["cloud_pitch"] = "measured near the start" if given.cloud_pitch is None else "given"
+    chosen = replace(
+        given,
+        amplitude=amplitude,
+        edge_pitch=edge_pitch,
+        probe_radius=probe,
+        approach=approach,
+        cloud_pitch=pitch if given.cloud_pitch is None else given.cloud_pitch,
+    )
+    settings = PatchSettings(0.5 * amplitude, edge_pitch, pitch, noise, min_angle)
+    return Chosen(chosen, reasons, settings)

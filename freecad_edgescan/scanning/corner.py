@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The edge point of a section: where the two fitted sides, moved by the probe radius, meet.
+
+A fitted side is a circle in the section; its signed distance is exact in closed form
+(D = 2F / (|∇F| + √(|∇F|² + 2 c2 F)) for F = n − c0 − c1 s − c2 (s² + n²)/2), so that a parallel
+curve at the probe's distance needs no feet and no second fit. The side's drift along the edge
+widens the distance in the section by 1/cos of its slope.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .section import Frames
+from .side_fit import SideFits
+
+_ITERATIONS = 12
+
+
+@dataclass(frozen=True)
+class Corners:
+    """Edge points of m sections.
+
+    Attributes
+    ----------
+    point : (m, 3) array, mm
+    tangent : (m, 3) unit vectors, along the walk
+    normals : (m, 2, 3) unit vectors at the two sides, on the side of the frames' normals
+    sides : (m, 2, 3) unit vectors along the two sides, away from the edge
+    covariance : (m, 2, 2) mm², in the axes of `across_axes`
+    variances : (m, 2) mm², of each side's position at the edge
+    shift : (m, 2) mm, from the frame's origin, along the frame's across axes
+    found : (m,) whether the sides meet near the origin
+    """
+
+    point: np.ndarray
+    tangent: np.ndarray
+    normals: np.ndarray
+    sides: np.ndarray
+    covariance: np.ndarray
+    variances: np.ndarray
+    shift: np.ndarray
+    found: np.ndarray
+
+
+def across_axes(normals: np.ndarray) -> np.ndarray:
+    """Axes across the edge, (…, 2, 3): n1 + n2 and n1 − n2, normalised."""
+    axes = np.stack(
+        [normals[..., 0, :] + normals[..., 1, :], normals[..., 0, :] - normals[..., 1, :]], axis=-2
+    )
+    return axes / np.maximum(np.linalg.norm(axes, axis=-1, keepdims=True), 1e-300)
+
+
+def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) -> Corners:
+    """Intersect the two sides of each section.
+
+    Parameters
+    ----------
+    frames, fits : the sections and the fitted sides
+    offset : distance to move the sides along the frames' normals, mm; (m,) or one number
+    """
+    reach = fits.reach
+    axes = across_axes(frames.normals)
+    # Sides and normals in the two axes across the edge: (m, side, axis).
+    along_side = np.einsum("mki,mai->mka", frames.sides, axes)
+    along_normal = np.einsum("mki,mai->mka", frames.normals, axes)
+    c = fits.coefficients
+    shift = np.zeros((len(frames), 2))
+    distance = np.broadcast_to(np.asarray(offset, dtype=float) / reach, (len(frames),))[:, None]
+    for _ in range(_ITERATIONS):
+        value, gradient, slope = _section_distance(c, along_side, along_normal, shift)
+        target = distance * np.sqrt(1.0 + slope**2)
+        missing = value - target
+        determinant = gradient[:, 0, 0] * gradient[:, 1, 1] - gradient[:, 0, 1] * gradient[:, 1, 0]
+        determinant = np.where(np.abs(determinant) < 1e-6, 1e-6, determinant)
+        step = (
+            np.stack(
+                [
+                    gradient[:, 1, 1] * missing[:, 0] - gradient[:, 0, 1] * missing[:, 1],
+                    gradient[:, 0, 0] * missing[:, 1] - gradient[:, 1, 0] * missing[:, 0],
+                ],
+                axis=-1,
+            )
+            / determinant[:, None]
+        )
+        step = np.clip(step, -0.5, 0.5)
+        shift = np.clip(shift - step, -3.0, 3.0)
+        if np.max(np.abs(step), initial=0.0) < 1e-10:
+            break
+    value, gradient, slope = _section_distance(c, along_side, along_normal, shift)
+    found = np.all(np.abs(value - distance * np.sqrt(1.0 + slope**2)) < 1e-6, axis=1)
+    point = frames.origin + np.einsum("ma,mai->mi", shift, axes) * reach
+    flat = np.einsum("mka,mai->mki", gradient, axes)
+    normals = flat - slope[..., None] * frames.tangent[:, None]
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    tangent = np.cross(normals[:, 0], normals[:, 1])
+    tangent *= np.sign(np.einsum("mi,mi->m", tangent, frames.tangent))[:, None]
+    size = np.linalg.norm(tangent, axis=-1, keepdims=True)
+    tangent = np.where(size > 1e-6, tangent / np.maximum(size, 1e-300), frames.tangent)
+    sides = np.cross(normals, tangent[:, None])
+    sides *= np.where(np.einsum("mki,mki->mk", sides, frames.sides) < 0, -1.0, 1.0)[..., None]
+    variances = _variance_at(fits, along_side, along_normal, shift, gradient * distance[:, :, None])
+    inverse = _inverse_2x2(gradient)
+    covariance = np.einsum("mak,mk,mbk->mab", inverse, variances, inverse)
+    return Corners(
+        point, tangent, normals, sides, covariance, variances, shift * reach, found
+    )
+
+
+def _section_distance(
+    c: np.ndarray, along_side: np.ndarray, along_normal: np.ndarray, at: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Signed distance to both sides, its unit gradient, and the slope along the edge."""
+    s = np.einsum("mka,ma->mk", along_side, at)
+    n = np.einsum("mka,ma->mk", along_normal, at)
+    value = n - c[..., 0] - c[..., 1] * s - 0.5 * c[..., 2] * (s**2 + n**2)
+    by_s, by_n = -(c[..., 1] + c[..., 2] * s), 1.0 - c[..., 2] * n
+    size = np.maximum(np.hypot(by_s, by_n), 1e-9)
+    root = np.sqrt(np.maximum(size**2 + 2.0 * c[..., 2] * value, 1e-12))
+    distance = 2.0 * value / (size + root)
+    gradient = (by_s[..., None] * along_side + by_n[..., None] * along_normal) / size[..., None]
+    return distance, gradient, c[..., 3] / root
+
+
+def _variance_at(
+    fits: SideFits,
+    along_side: np.ndarray,
+    along_normal: np.ndarray,
+    shift: np.ndarray,
+    offset: np.ndarray,
+) -> np.ndarray:
+    """Variance of each side's position where the edge point stands on it, (m, 2) mm²."""
+    foot = shift[:, None] - offset
+    s = np.einsum("mka,mka->mk", along_side, foot)
+    n = np.einsum("mka,mka->mk", along_normal, foot)
+    terms = np.stack([np.ones_like(s), s, 0.5 * (s**2 + n**2), np.zeros_like(s)], axis=-1)
+    leverage = np.einsum("mki,mkij,mkj->mk", terms, fits.inverse, terms)
+    return fits.variance * leverage * fits.reach**2
+
+
+def _inverse_2x2(matrix: np.ndarray) -> np.ndarray:
+    a, b, c, d = matrix[:, 0, 0], matrix[:, 0, 1], matrix[:, 1, 0], matrix[:, 1, 1]
+    determinant = a * d - b * c
+    determinant = np.where(np.abs(determinant) < 1e-6, 1e-6, determinant)
+    return np.stack([np.stack([d, -b], -1), np.stack([-c, a], -1)], -2) / determinant[:, None, None]

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""All edge points of a walked edge measured together, from all the points of its strip.
+
+1. Sections are laid one edge pitch apart along the smooth curve of the walk, and the cloud's
+   points are taken into the coordinates of the sections, which follow the edge's bend.
+2. Normal equations are pooled over neighbouring sections: where a rounding begins, where a side
+   ends, and how much each side is curved is decided with many times the points of one section.
+3. Each section is fitted by itself on those stretches, with the pooled curvature as prior, and its
+   two sides, moved by the probe radius, are intersected.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from scipy.ndimage import convolve1d
+
+from ..cloud.point_cloud import PointCloud
+from .corner import Corners, corners
+from .section import Frames, SectionPoints
+from .side_fit import SideFits, block_counts, block_moments, choose_stretches, fit_stretches
+from .strip import strip_points
+
+_POOLED = 4  # sections on each side that decide together
+_POOLED_CURVATURE = 8
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Sections measured together: the frames, their points, which were removed, and the fits."""
+
+    frames: Frames
+    points: SectionPoints
+    removed: np.ndarray
+    fits: SideFits
+    noise: np.ndarray
+
+    def corners(self, offset: float = 0.0) -> Corners:
+        """Edge points with both sides moved along the frames' normals, mm."""
+        return corners(self.frames, self.fits, offset)
+
+
+def measure_together(
+    cloud: PointCloud, frames: Frames, reach: float, half_width: float, noise: float, closed: bool
+) -> Measured:
+    """Measure all sections of an edge.
+
+    Parameters
+    ----------
+    frames : (m) sections along the edge, see `reference_curve.sections_along`
+    reach, half_width : of a slab, across and along the edge, mm
+    noise : standard deviation of the points along the normal, mm
+    """
+    everything = strip_points(cloud, frames, reach, half_width, closed)
+    plausible = _plausible(frames, everything, cloud.pitch, noise)
+    points = everything[plausible]
+    mode = "wrap" if closed else "constant"
+    pooled = _pooled_fits(points, frames, reach, noise, mode, None)
+    removed = np.zeros(len(points.index), dtype=bool)
+    for _ in range(2):
+        spread = np.sqrt(pooled.variance) * reach
+        limit = 3.5 * np.maximum(spread, 0.5 * noise)
+        removed = np.abs(pooled.residuals(points)) > limit[points.owner, points.side]
+        lost = block_counts(points[removed], len(frames), reach)
+        left = block_counts(points[~removed], len(frames), reach)
+        lost, left = (_pool(x.astype(float), _POOLED, mode) for x in (lost, left))
+        pooled = _pooled_fits(
+            points[~removed], frames, reach, noise, mode, lost > 0.25 * (lost + left)
+        )
+    moments = block_moments(points[~removed], len(frames), reach)
+    curvature, curvature_sigma = _shared_curvature(pooled, mode)
+    local = np.sqrt(pooled.variance) * reach
+    fits = fit_stretches(
+        moments, reach, np.maximum(local, 1e-6 * reach), pooled.stretch, curvature, curvature_sigma
+    )
+    # One section alone knows its own scatter badly; its neighbours' is the same.
+    fits = replace(fits, variance=pooled.variance, accepted=fits.accepted & pooled.accepted)
+    gone = np.ones(len(everything.index), dtype=bool)
+    gone[np.flatnonzero(plausible)[~removed]] = False
+    outside = ~_in_stretch(everything, fits)
+    return Measured(frames, everything, gone | outside, fits, local)
+
+
+def _pooled_fits(
+    points: SectionPoints,
+    frames: Frames,
+    reach: float,
+    noise: float,
+    mode: str,
+    doubtful: np.ndarray | None,
+) -> SideFits:
+    moments = _pool(block_moments(points, len(frames), reach), _POOLED, mode)
+    return choose_stretches(
+        moments, reach, noise, frames.curvature * reach, slack=0.2, doubtful=doubtful
+    )
+
+
+def _pool(values: np.ndarray, width: int, mode: str) -> np.ndarray:
+    """Sum over the neighbouring sections."""
+    width = min(width, (len(values) - 1) // 2)
+    if width < 1:
+        return values
+    return convolve1d(values, np.ones(2 * width + 1), axis=0, mode=mode, cval=0.0)
+
+
+def _shared_curvature(pooled: SideFits, mode: str) -> tuple[np.ndarray, np.ndarray]:
+    """Curvature of each side that neighbours agree on, and how far one may be from it."""
+    own = pooled.coefficients[..., 2]
+    variance = np.maximum(pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
+    weight = 1.0 / variance
+    total = _pool(weight, _POOLED_CURVATURE, mode)
+    mean = _pool(weight * own, _POOLED_CURVATURE, mode) / total
+    # Pooled windows overlap 2·_POOLED + 1 times; what scatters beyond that is real change.
+    scatter = _pool(weight * np.square(own - mean), _POOLED_CURVATURE, mode) / total
+    known = (2 * _POOLED + 1) / total
+    return mean, np.sqrt(scatter + known + 1e-8)
+
+
+def _plausible(
+    frames: Frames, points: SectionPoints, cloud_pitch: float, noise: float
+) -> np.ndarray:
+    """Points near enough to the surfaces that the walk has seen."""
+    expected = 0.5 * frames.curvature[points.owner, points.side] * points.away**2
+    allowed = 4.0 * noise + 0.5 * cloud_pitch + 0.1 * points.away
+    return np.abs(points.height - expected) <= allowed
+
+
+def _in_stretch(points: SectionPoints, fits: SideFits) -> np.ndarray:
+    begins = fits.begins[points.owner, points.side]
+    ends = fits.ends[points.owner, points.side]
+    return (points.away >= begins) & (points.away < ends)

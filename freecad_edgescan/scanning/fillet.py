@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The radius of the rounding between two sides, from the points the sides left over.
+
+In the wedge of angle θ a circle of radius ρ that touches both sides has its centre on the
+bisector, ρ / sin(θ/2) from the edge. The one unknown ρ is found by Gauss–Newton on the distances
+of the points between the two touching points, pooled over neighbouring sections.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.ndimage import convolve1d
+
+from .corner import Corners
+from .section import Frames, SectionPoints
+
+_POOLED = 2
+_ITERATIONS = 8
+
+
+def rounding_radius(
+    frames: Frames,
+    points: SectionPoints,
+    corner: Corners,
+    noise: np.ndarray,
+    cloud_pitch: float,
+    closed: bool,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Radius of the rounding in the cloud and its sigma, (m,) mm; nan where there is none.
+
+    Parameters
+    ----------
+    corner : edge points of the cloud itself, sides not moved by the probe radius
+    noise : (m,) mm
+    """
+    mode = "wrap" if closed else "constant"
+    sections = len(frames)
+    half = 0.5 * np.arccos(
+        np.clip(np.einsum("mi,mi->m", corner.sides[:, 0], corner.sides[:, 1]), -1, 1)
+    )
+    inward = corner.sides.sum(axis=1)
+    inward /= np.maximum(np.linalg.norm(inward, axis=1, keepdims=True), 1e-12)
+    aside = np.cross(frames.tangent, inward)
+    owner = points.owner
+    at = (
+        points.away[:, None] * frames.sides[owner, points.side]
+        + points.height[:, None] * frames.normals[owner, points.side]
+        - (corner.point - frames.origin)[owner]
+    )
+    depth = np.einsum("ni,ni->n", at, inward[owner])
+    width = np.einsum("ni,ni->n", at, aside[owner])
+
+    def pool(values: np.ndarray) -> np.ndarray:
+        summed = np.bincount(owner, weights=values, minlength=sections)
+        reach = min(_POOLED, (sections - 1) // 2)
+        if reach < 1:
+            return summed
+        return convolve1d(summed, np.ones(2 * reach + 1), mode=mode, cval=0.0)
+
+    sine, cosine = np.sin(half), np.cos(half)
+    # The gap between the edge and the rounding's top gives the first radius.
+    top = (np.abs(width) < cloud_pitch) & (np.abs(depth) < 20.0 * cloud_pitch)
+    gap = pool(depth * top) / np.maximum(pool(1.0 * top), 1.0)
+    radius = np.maximum(gap, 0.0) / np.maximum(1.0 / sine - 1.0, 1e-3)
+    information = np.zeros(sections)
+    for _ in range(_ITERATIONS):
+        own = radius[owner]
+        arm = depth - own / sine[owner]
+        distance = np.maximum(np.hypot(arm, width), 1e-12)
+        residual = distance - own
+        slope = -arm / distance / sine[owner] - 1.0
+        used = (np.abs(width) < own * cosine[owner] + 0.5 * cloud_pitch) & (arm < 0)
+        used &= np.abs(residual) < 4.0 * noise[owner] + 0.25 * own
+        information = pool(slope**2 * used)
+        step = pool(slope * residual * used) / np.maximum(information, 1e-12)
+        radius = np.maximum(radius - np.clip(step, -0.5 * radius, radius + cloud_pitch), 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        sigma = noise / np.sqrt(information)
+    # The noise of the edge point itself moves the bisector's end of the rounding.
+    apex = np.sqrt(np.maximum(np.linalg.eigvalsh(corner.covariance)[:, 0], 0.0))
+    sigma = np.hypot(sigma, apex / np.maximum(1.0 / sine - 1.0, 1e-3) / np.sqrt(2 * _POOLED + 1))
+    measurable = (radius > 3.0 * sigma) & (radius * cosine > 0.7 * cloud_pitch)
+    return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)

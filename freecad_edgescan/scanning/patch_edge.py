@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a walk to the finished edge of the patch method."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..cloud.point_cloud import PointCloud
+from .air import convex_by_approach, convex_by_rounding
+from .automatic import Chosen
+from .corner import Corners
+from .edge_points import Measured, measure_together
+from .fillet import rounding_radius
+from .reference_curve import sections_along
+from .scan_lines import ScanLines
+from .scanned_edge import ScannedEdge
+from .section import Frames, SectionPoints
+from .side_fit import SideFits
+from .trace import Trace
+
+
+def finish_edge(cloud: PointCloud, trace: Trace, chosen: Chosen) -> ScannedEdge:
+    """Measure the walked edge as a whole, take the probe radius off, and state what is known.
+
+    Raises
+    ------
+    ScanError: the cloud holds probe centres and nothing tells on which side the air is.
+    """
+    settings = chosen.settings
+    noise = float(np.median([station.noise for station in trace.stations]))
+    frames = sections_along(trace.stations, settings.edge_pitch, trace.closed)
+    measured = measure_together(
+        cloud, frames, settings.reach, settings.half_width, noise, trace.closed
+    )
+    if not trace.closed:
+        measured = _without_unsupported_ends(measured)
+    frames = measured.frames
+    seen = measured.corners()
+    rounding, rounding_sigma = rounding_radius(
+        frames, measured.points, seen, measured.noise.max(axis=1), settings.cloud_pitch, trace.closed
+    )
+    probe = chosen.parameters.probe_radius or 0.0
+    convex = _convex(chosen, seen.normals, rounding, rounding_sigma)
+    edge = measured.corners(-probe if convex else probe) if probe else seen
+    fillet, sigma = _fillet(rounding, rounding_sigma, probe, convex)
+    return ScannedEdge(
+        points=edge.point,
+        tangents=edge.tangent,
+        normals=-edge.normals if convex is False else edge.normals,
+        angle=np.arccos(np.clip(np.einsum("mi,mi->m", edge.sides[:, 0], edge.sides[:, 1]), -1, 1)),
+        convex=convex,
+        covariance=_turned_covariance(edge, frames, convex),
+        fillet_radius=fillet,
+        fillet_sigma=sigma,
+        supported=np.all(measured.fits.accepted, axis=1) & edge.found,
+        compensation=np.full(len(frames), "offset" if probe else "none"),
+        closed=trace.closed,
+        stops=trace.stops,
+        message="",
+        scan_lines=ScanLines(
+            frames, measured.points, measured.removed, measured.fits, seen.point, edge.point
+        ),
+        parameters=chosen.parameters,
+        reasons=chosen.reasons,
+    )
+
+
+def _convex(
+    chosen: Chosen, normals: np.ndarray, rounding: np.ndarray, sigma: np.ndarray
+) -> bool | None:
+    approach, probe = chosen.parameters.approach, chosen.parameters.probe_radius
+    if approach is not None:
+        return convex_by_approach(normals, np.asarray(approach))
+    if probe:
+        return convex_by_rounding(probe, rounding, sigma)
+    return None
+
+
+def _fillet(
+    rounding: np.ndarray, sigma: np.ndarray, probe: float, convex: bool | None
+) -> tuple[np.ndarray, np.ndarray]:
+    """Radius on the part from the rounding of the cloud (Schreve 5.2.1: R_f + R_p outside)."""
+    if not probe:
+        return rounding, sigma
+    radius = rounding - probe if convex else rounding + probe
+    measurable = radius > 3.0 * sigma
+    return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)
+
+
+def _turned_covariance(edge: Corners, frames: Frames, convex: bool | None) -> np.ndarray:
+    """Covariance from the frames' axes to the axes of the delivered normals."""
+    from .corner import across_axes
+
+    normals = -edge.normals if convex is False else edge.normals
+    turn = np.einsum("mai,mbi->mab", across_axes(normals), across_axes(frames.normals))
+    return np.einsum("mab,mbc,mdc->mad", turn, edge.covariance, turn)
+
+
+def _without_unsupported_ends(measured: Measured) -> Measured:
+    """Leave out sections at the ends whose points all lie on one side along the edge."""
+    sections = len(measured.frames)
+    points = measured.points[~measured.removed]
+    bins = points.owner * 2 + points.side
+    reached = np.ones(sections, dtype=bool)
+    for ahead in (points.along > 0.0, points.along < 0.0):
+        count = np.bincount(bins[ahead], minlength=2 * sections).reshape(sections, 2)
+        reached &= np.all(count > 0, axis=1)
+    good = np.flatnonzero(reached & np.all(measured.fits.count >= 6, axis=1))
+    if not len(good):
+        return measured
+    return select_sections(measured, slice(good[0], good[-1] + 1))
+
+
+def select_sections(measured: Measured, part: slice) -> Measured:
+    """The same measurement of consecutive sections only."""
+    fits = measured.fits
+    mine = (measured.points.owner >= part.start) & (measured.points.owner < part.stop)
+    points = measured.points[mine]
+    points = SectionPoints(
+        points.index,
+        points.owner - part.start,
+        points.along,
+        points.side,
+        points.away,
+        points.height,
+    )
+    fits = SideFits(
+        fits.reach,
+        fits.coefficients[part],
+        fits.inverse[part],
+        fits.variance[part],
+        fits.count[part],
+        fits.stretch[part],
+        fits.accepted[part],
+    )
+    return Measured(
+        measured.frames[part], points, measured.removed[mine], fits, measured.noise[part]
+    )

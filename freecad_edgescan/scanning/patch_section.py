@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Edge points from all the points of a patch across the edge.
+
+The walk needs one rough edge point after the other; `PatchSection.measure` takes the points of a
+slab around the predicted section. Once the walk knows where the edge runs, `finish` measures all
+sections together in the bend of the edge itself (see `strip`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..cloud.point_cloud import PointCloud
+from .corner import Corners, corners
+from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
+from .side_fit import SideFits, block_counts, block_moments, choose_stretches
+from .stop import Stop
+
+# A measured section that turns more than this against its prediction is measured once more.
+_REMEASURE_TURN = 0.06
+_MEASUREMENTS = 3
+
+
+@dataclass(frozen=True)
+class PatchSettings:
+    """What a patch section works with, all lengths in mm.
+
+    Attributes
+    ----------
+    reach : distance from the edge to look at on each side, half the amplitude
+    edge_pitch : distance of the edge points
+    cloud_pitch : distance of the cloud's points
+    noise : standard deviation of the cloud's points along the normal
+    min_angle : least turn between the two sides, rad
+    """
+
+    reach: float
+    edge_pitch: float
+    cloud_pitch: float
+    noise: float
+    min_angle: float = 0.26
+
+    @property
+    def half_width(self) -> float:
+        """Half the width of a slab, along the edge."""
+        return max(0.75 * self.edge_pitch, 1.5 * self.cloud_pitch)
+
+    def with_reach(self, reach: float) -> PatchSettings:
+        """The same settings with another reach."""
+        return replace(self, reach=reach)
+
+
+class PatchSection:
+    """Measures edge points from the patches on both sides (a `Section`)."""
+
+    def __init__(self, cloud: PointCloud, settings: PatchSettings) -> None:
+        self.cloud = cloud
+        self.settings = settings
+
+    def measure(self, predicted: Frames, half_width: float) -> Station:
+        """Measure one edge point in the slab around a predicted section."""
+        frame = predicted
+        for _ in range(_MEASUREMENTS):
+            points = self.slab(frame, half_width)
+            station, corner, fits = self._measure_once(frame, points)
+            if station.stop is not None:
+                return station
+            turned = np.einsum("mki,mki->mk", station.frame.sides, frame.sides).min()
+            moved = float(np.linalg.norm(station.frame.origin - frame.origin))
+            frame = station.frame
+            if turned > np.cos(_REMEASURE_TURN) and moved < self.settings.cloud_pitch:
+                break
+        return station
+
+    def slab(self, frame: Frames, half_width: float) -> SectionPoints:
+        """Points within the reach of a section and half a width along the edge."""
+        reach = self.settings.reach
+        radius = float(np.hypot(reach, half_width)) * 1.05
+        index = np.array(
+            self.cloud.tree.query_ball_point(frame.origin[0], radius, return_sorted=False),
+            dtype=np.int64,
+        )
+        points = self.cloud.points[index]
+        ahead = (points - frame.origin[0]) @ frame.tangent[0]
+        # Inside of a bend a narrow slab of points fans out to twice its width.
+        near = np.abs(ahead) <= 2.0 * half_width
+        index, points = index[near], points[near]
+        found = section_points(frame, np.zeros(len(index), dtype=np.int64), index, points)
+        return found[np.abs(found.along) <= half_width]
+
+    def _measure_once(
+        self, frame: Frames, points: SectionPoints
+    ) -> tuple[Station, Corners | None, SideFits | None]:
+        settings = self.settings
+        kept = points[self._plausible(frame, points)]
+        missing = Station(frame, stop=Stop.CLOUD_END if len(points.index) < 12 else Stop.CORNER)
+        if min(np.bincount(kept.side, minlength=2)) < 6:
+            return missing, None, None
+        fits = self._fit(frame, kept)
+        residual = fits.residuals(kept)
+        spread = np.sqrt(fits.variance[0]) * settings.reach
+        limit = 3.5 * np.maximum(spread, settings.noise)[kept.side]
+        inliers = np.abs(residual) <= limit
+        if not np.all(inliers):
+            removed = block_counts(kept[~inliers], len(frame), settings.reach)
+            kept = kept[inliers]
+            left = block_counts(kept, len(frame), settings.reach)
+            fits = self._fit(frame, kept, removed > 0.25 * (left + removed))
+        if np.any(fits.count < 6) or not np.all(_reached(kept)):
+            return missing, None, None
+        corner = corners(frame, fits)
+        if not corner.found[0]:
+            return Station(frame, stop=Stop.LOST), None, None
+        measured = frames_from_sides(
+            corner.point,
+            corner.tangent,
+            corner.sides,
+            frame.bend,
+            fits.coefficients[..., 2] / settings.reach,
+        )
+        sigma = float(np.sqrt(np.linalg.eigvalsh(corner.covariance[0])[-1]))
+        noise = float(np.sqrt(np.mean(fits.variance[0])) * settings.reach)
+        begins = (float(fits.begins[0, 0]), float(fits.begins[0, 1]))
+        stop = None
+        if measured.turn[0] < settings.min_angle / 2.0:
+            stop = Stop.SMOOTH
+        elif not np.isfinite(sigma) or sigma > 0.5 * max(begins) + 2.0 * settings.cloud_pitch:
+            stop = Stop.LOST
+        return Station(measured, sigma, noise, begins, stop), corner, fits
+
+    def _fit(
+        self, frame: Frames, points: SectionPoints, doubtful: np.ndarray | None = None
+    ) -> SideFits:
+        reach = self.settings.reach
+        moments = block_moments(points, len(frame), reach)
+        return choose_stretches(
+            moments, reach, self.settings.noise, frame.curvature * reach, doubtful=doubtful
+        )
+
+    def _plausible(self, frame: Frames, points: SectionPoints) -> np.ndarray:
+        """Points near enough to the surface that the prediction expects."""
+        expected = 0.5 * frame.curvature[points.owner, points.side] * points.away**2
+        allowed = (
+            4.0 * self.settings.noise + 0.5 * self.settings.cloud_pitch + 0.15 * points.away
+        )
+        return (points.away > 0.0) & (np.abs(points.height - expected) <= allowed)
+
+
+def _reached(points: SectionPoints) -> np.ndarray:
+    """Whether each side has points both behind and ahead of the section, (2,)."""
+    ahead = np.bincount(points.side[points.along > 0.0], minlength=2)
+    behind = np.bincount(points.side[points.along < 0.0], minlength=2)
+    return np.minimum(ahead, behind) > 0

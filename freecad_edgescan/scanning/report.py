@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a finished scan tells a person: what happened, and what to try."""
+
+from __future__ import annotations
+
+from .scanned_edge import ScannedEdge
+from .stop import Stop
+
+_ADVICE = {
+    Stop.LOST: "try a larger amplitude, or click again beyond the place",
+    Stop.SMOOTH: "the turn between the sides fell below the least angle",
+    Stop.LIMIT: "raise the edge pitch, or scan on from there",
+    Stop.CANCELLED: "what was found until then is kept",
+}
+_IGNORED = (
+    "line_pitch",
+    "tolerance",
+    "degree",
+    "pattern",
+    "tangent",
+    "steering",
+    "compensation",
+    "prehit_distance",
+    "search_distance",
+)
+
+
+def describe(edge: ScannedEdge, gate: object | None) -> str:
+    """Sentences about the edge's ends, its probe compensation, and parameters without effect."""
+    sentences = [_ends(edge)]
+    for stop in dict.fromkeys(edge.stops):
+        if stop in _ADVICE:
+            sentences.append(f"{stop.name}: {_ADVICE[stop]}.")
+    if gate is not None and edge.stops[1] is not Stop.GATE:
+        sentences.append("The gate was not passed.")
+    probe = edge.parameters.probe_radius
+    if probe and edge.parameters.approach is None:
+        kind = "an outer edge, rounded by the probe" if edge.convex else "an inner edge, sharp"
+        sentences.append(f"The rim tells that this is {kind}: taken off {probe:g} mm accordingly.")
+    bridged = int((~edge.supported).sum())
+    if bridged:
+        sentences.append(f"{bridged} of {len(edge)} edge points have weak support.")
+    ignored = [name.replace("_", " ") for name in _IGNORED if name in edge.parameters.given()]
+    if ignored:
+        sentences.append(f"Without effect in the patch method: {', '.join(ignored)}.")
+    return " ".join(sentences)
+
+
+def _ends(edge: ScannedEdge) -> str:
+    size = f"{len(edge)} edge points, {edge.length:.4g} mm"
+    if edge.closed:
+        return f"{size}; the edge is closed."
+    start, end = edge.stops
+    if start is Stop.START:
+        return f"{size}; from the start the walk {end.value}."
+    return f"{size}; one end {start.value}, the other {end.value}."

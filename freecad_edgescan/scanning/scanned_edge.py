@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The result of a scan: edge points with everything that is known about them."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .corner import across_axes
+from .parameters import ScanParameters
+from .stop import Stop
+
+if TYPE_CHECKING:
+    from ..geometry import BSplineCurve, Circle, Line
+    from .scan_lines import ScanLines
+
+Vertex = tuple[np.ndarray, np.ndarray]
+
+
+@dataclass(frozen=True)
+class ScannedEdge:
+    """Edge points in walking order.
+
+    Attributes
+    ----------
+    points : (m, 3) array, mm
+    tangents : (m, 3) unit vectors along the walk
+    normals : (m, 2, 3) unit vectors of the two surfaces at the edge: into the air; when that is
+        unknown (convex is None) out of the smaller wedge, alike along the whole edge
+    angle : (m,) intersection angle θ, rad, in (0, π)
+    convex : True when material fills the smaller wedge, False when air does, None when unknown
+    covariance : (m, 2, 2) mm², in the two axes across the edge (n1 + n2 and n1 − n2, normalised)
+    fillet_radius, fillet_sigma : (m,) mm, nan where no rounding is measurable
+    supported : (m,) False where a gap was bridged
+    compensation : (m,) how the probe radius was taken off each point
+    closed : whether the last point leads back to the first
+    stops : why the edge ends, at its start and at its end
+    message : what happened and what to try, for a person
+    vertices : at start and end, the point where surfaces meet with its covariance, or None
+    parameters : the parameters with every automatic value filled in
+    reasons : why each automatic value was chosen, by parameter name
+    scan_lines : what was touched, for pictures
+    """
+
+    points: np.ndarray
+    tangents: np.ndarray
+    normals: np.ndarray
+    angle: np.ndarray
+    convex: bool | None
+    covariance: np.ndarray
+    fillet_radius: np.ndarray
+    fillet_sigma: np.ndarray
+    supported: np.ndarray
+    compensation: np.ndarray
+    closed: bool
+    stops: tuple[Stop, Stop]
+    message: str
+    scan_lines: ScanLines
+    vertices: tuple[Vertex | None, Vertex | None] = (None, None)
+    parameters: ScanParameters = field(default_factory=ScanParameters)
+    reasons: Mapping[str, str] = field(default_factory=dict)
+
+    def __len__(self) -> int:
+        return len(self.points)
+
+    @cached_property
+    def sigma(self) -> np.ndarray:
+        """Standard deviation across the edge in its worst direction, (m,) mm."""
+        return np.sqrt(np.maximum(np.linalg.eigvalsh(self.covariance)[..., -1], 0.0))
+
+    @cached_property
+    def length(self) -> float:
+        """Length of the polyline of edge points, mm."""
+        points = np.vstack([self.points, self.points[:1]]) if self.closed else self.points
+        return float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+
+    @cached_property
+    def covariance_3d(self) -> np.ndarray:
+        """Covariance of the points in space, (m, 3, 3) mm²; nothing is known along the edge."""
+        axes = across_axes(self.normals)
+        return np.einsum("mai,mab,mbj->mij", axes, self.covariance, axes)
+
+    def curve(self, tolerance: float | None = None) -> BSplineCurve:
+        """Weighted cubic B-spline in as few poles as explain the points.
+
+        Parameters
+        ----------
+        tolerance : largest distance of an edge point, mm; None: poles are added until the rms of
+            residual/sigma is at most 1
+        """
+        from ..geometry import fit_curve
+
+        return fit_curve(self.points, self.sigma, closed=self.closed, tolerance=tolerance)
+
+    @cached_property
+    def primitive(self) -> Line | Circle | None:
+        """The line or circle that explains the points as well as a spline would, or None."""
+        from ..geometry import simplest_curve
+
+        return simplest_curve(self.points, self.sigma, closed=self.closed)
+
+    @property
+    def line(self) -> Line | None:
+        """The straight line that explains the points, or None."""
+        from ..geometry import Line
+
+        return self.primitive if isinstance(self.primitive, Line) else None
+
+    @property
+    def circle(self) -> Circle | None:
+        """The circle that explains the points, or None."""
+        from ..geometry import Circle
+
+        return self.primitive if isinstance(self.primitive, Circle) else None
+
+    def to_csv(self, path: str | Path) -> None:
+        """Write one row for each edge point: position, sigma, tangent, angle, fillet radius."""
+        header = ["x_mm", "y_mm", "z_mm", "sigma_mm", "tangent_x", "tangent_y", "tangent_z"]
+        header += ["angle_deg", "fillet_radius_mm", "fillet_sigma_mm", "supported"]
+        with Path(path).open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(header)
+            for j in range(len(self)):
+                row = [*self.points[j], self.sigma[j], *self.tangents[j]]
+                row += [np.degrees(self.angle[j]), self.fillet_radius[j], self.fillet_sigma[j]]
+                writer.writerow([f"{value:.6f}" for value in row] + [int(self.supported[j])])

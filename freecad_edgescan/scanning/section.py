@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sections across an edge: where to look, what was found there, and who can measure it.
+
+A section stands at an origin on the (predicted) edge, across its tangent. Coordinates follow the
+edge's own bend: u is the arc length along the osculating circle of the edge, and the offset
+across the edge is taken in the plane that stands on the circle there. In these coordinates the
+two surfaces of a swept part do not change with u, so a wide slab of points shares one section.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from .stop import Stop
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Sections across an edge, m at a time.
+
+    Attributes
+    ----------
+    origin : (m, 3) array, mm, points on the edge
+    tangent : (m, 3) unit vectors along the edge
+    sides : (m, 2, 3) unit vectors across the tangent, along each surface, away from the edge
+    normals : (m, 2, 3) unit vectors across tangent and side, out of the smaller wedge
+    bend : (m, 3) array, 1/mm, curvature vector of the edge
+    curvature : (m, 2) array, 1/mm, of each surface in the section, positive towards its normal
+    """
+
+    origin: np.ndarray
+    tangent: np.ndarray
+    sides: np.ndarray
+    normals: np.ndarray
+    bend: np.ndarray
+    curvature: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.origin)
+
+    def __getitem__(self, index: int | slice | np.ndarray) -> Frames:
+        """Return a part of the sections, always as an array of sections."""
+        part = slice(index, index + 1 or None) if isinstance(index, int) else index
+        return Frames(
+            self.origin[part],
+            self.tangent[part],
+            self.sides[part],
+            self.normals[part],
+            self.bend[part],
+            self.curvature[part],
+        )
+
+    @staticmethod
+    def join(frames: Sequence[Frames]) -> Frames:
+        """Put sections behind each other."""
+        names = ("origin", "tangent", "sides", "normals", "bend", "curvature")
+        return Frames(*(np.concatenate([getattr(f, name) for f in frames]) for name in names))
+
+    @property
+    def turn(self) -> np.ndarray:
+        """Angle by which the surface turns at the edge, π − θ, (m,) rad."""
+        cosine = np.einsum("mi,mi->m", self.sides[:, 0], self.sides[:, 1])
+        return np.pi - np.arccos(np.clip(cosine, -1.0, 1.0))
+
+
+def frames_from_sides(
+    origin: np.ndarray,
+    tangent: np.ndarray,
+    sides: np.ndarray,
+    bend: np.ndarray | None = None,
+    curvature: np.ndarray | None = None,
+) -> Frames:
+    """Complete sections: sides made square to the tangent, normals out of the smaller wedge.
+
+    Parameters
+    ----------
+    origin, tangent : (m, 3) arrays
+    sides : (m, 2, 3) array, roughly along the two surfaces, away from the edge
+    bend, curvature : see `Frames`; zero when not given
+    """
+    tangent = tangent / np.linalg.norm(tangent, axis=-1, keepdims=True)
+    sides = sides - np.einsum("mki,mi->mk", sides, tangent)[..., None] * tangent[:, None]
+    sides = sides / np.linalg.norm(sides, axis=-1, keepdims=True)
+    normals = np.cross(tangent[:, None], sides)
+    outward = -np.einsum("mki,mki->mk", normals, sides[:, ::-1])
+    normals = normals * np.where(outward < 0.0, -1.0, 1.0)[..., None]
+    bend = np.zeros_like(origin) if bend is None else bend
+    curvature = np.zeros(sides.shape[:2]) if curvature is None else curvature
+    return Frames(origin, tangent, sides, normals, bend, curvature)
+
+
+@dataclass(frozen=True)
+class SectionPoints:
+    """Cloud points in the coordinates of their sections.
+
+    Attributes
+    ----------
+    index : (n,) index of the point in the cloud
+    owner : (n,) index of the section
+    along : (n,) u, mm, arc length along the edge
+    side : (n,) 0 or 1, which of the two surfaces it may belong to
+    away : (n,) s, mm, along that side, away from the edge
+    height : (n,) mm, along that side's normal
+    """
+
+    index: np.ndarray
+    owner: np.ndarray
+    along: np.ndarray
+    side: np.ndarray
+    away: np.ndarray
+    height: np.ndarray
+
+    def __getitem__(self, part: np.ndarray) -> SectionPoints:
+        return SectionPoints(
+            self.index[part],
+            self.owner[part],
+            self.along[part],
+            self.side[part],
+            self.away[part],
+            self.height[part],
+        )
+
+
+def section_points(
+    frames: Frames, owner: np.ndarray, index: np.ndarray, points: np.ndarray
+) -> SectionPoints:
+    """Coordinates of points in the sections that own them.
+
+    Points beyond the edge's centre of curvature, where the sections cross each other, are left
+    out.
+
+    Parameters
+    ----------
+    owner : (n,) section of each point
+    index : (n,) index of each point in the cloud
+    points : (n, 3) array, mm
+    """
+    bend = np.linalg.norm(frames.bend, axis=1)
+    inward = frames.bend / np.maximum(bend, 1e-300)[:, None]
+    offset = points - frames.origin[owner]
+    ahead = np.einsum("ni,ni->n", offset, frames.tangent[owner])
+    kappa = bend[owner]
+    within = np.einsum("ni,ni->n", offset, inward[owner])
+    to_centre = 1.0 - kappa * within
+    distance = np.hypot(to_centre, kappa * ahead)
+    # Offset across the edge after unrolling it: (1 − distance)/κ, written so that κ → 0 is exact.
+    unrolled = (2.0 * within - kappa * (within**2 + ahead**2)) / (1.0 + distance)
+    offset = offset + (unrolled - within)[:, None] * inward[owner]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        along = np.where(kappa > 1e-9, np.arctan2(kappa * ahead, to_centre) / kappa, ahead)
+    away = np.einsum("nki,ni->nk", frames.sides[owner], offset)
+    height = np.einsum("nki,ni->nk", frames.normals[owner], offset)
+    side = (away[:, 1] > away[:, 0]).astype(np.int64)
+    pick = np.arange(len(side))
+    result = SectionPoints(index, owner, along, side, away[pick, side], height[pick, side])
+    return result[to_centre > 0.2]
+
+
+@dataclass(frozen=True)
+class Station:
+    """One edge point of the walk, before the whole edge is measured together.
+
+    Attributes
+    ----------
+    frame : one section that stands on the edge point
+    sigma : standard deviation of the edge point, mm
+    noise : noise met on the two sides, mm
+    begins : (2,) distance from the edge where each side's support begins, mm
+    stop : why no edge point could be measured here; None when there is one
+    """
+
+    frame: Frames
+    sigma: float = np.nan
+    noise: float = np.nan
+    begins: tuple[float, float] = (np.nan, np.nan)
+    stop: Stop | None = None
+
+
+class Section(Protocol):
+    """How one edge point of a walk is obtained."""
+
+    def measure(self, predicted: Frames, half_width: float) -> Station:
+        """Measure one edge point near a predicted section; a failure is a station with a stop."""
+        ...

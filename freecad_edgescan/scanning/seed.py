@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a click near an edge to the first section on it.
+
+Around the click, in growing balls, the normals of the cloud are gathered into the directions most
+points share; each pair of directions proposes two sides, whose planes meet in a proposed edge.
+A proposal counts only when the patch measurement itself confirms it: two smooth sides, fitted
+without their rounding, that meet at an angle near the click.
+"""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+
+from ..cloud.point_cloud import PointCloud
+from .patch_section import PatchSection, PatchSettings
+from .section import Frames, Station, frames_from_sides
+
+_BALLS = (4.0, 6.0, 9.0, 14.0, 20.0, 30.0)  # radii round the click, in pitches
+_NEIGHBOURS = 16
+_SAME_DIRECTION = np.cos(np.radians(14.0))
+_MOST_NORMALS = 500
+_GROWTH = 1.5  # of the reach, from one measurement to the next
+
+
+def find_seed(
+    cloud: PointCloud,
+    at: np.ndarray,
+    settings: PatchSettings,
+    along: np.ndarray | None = None,
+    within: float | None = None,
+) -> Station | None:
+    """First station of an edge near a click, or None where no two sides meet.
+
+    Parameters
+    ----------
+    at : (3,) the click, mm
+    settings : its reach is the largest one to use
+    along : (3,) unit vector; only edges within 40° of it count, and it gives the direction
+    within : largest distance of the edge from the click, mm; by default what each ball can see
+    """
+    for ball in _BALLS:
+        radius = ball * settings.cloud_pitch
+        stations = [
+            station
+            for frame in proposals(cloud, at, radius, settings.min_angle)
+            if (station := _confirmed(cloud, frame, at, radius, settings, along, within))
+        ]
+        if stations:
+            return min(stations, key=lambda s: float(np.linalg.norm(_gap(s.frame, at))))
+    return None
+
+
+def nearest_seed(
+    cloud: PointCloud, at: np.ndarray, settings: PatchSettings, radius: float
+) -> Station | None:
+    """The nearest place round a click where an edge can be found, to tell the user."""
+    index = np.array(cloud.tree.query_ball_point(at, radius), dtype=np.int64)
+    if len(index) < 30:
+        return None
+    rng = np.random.default_rng(0)
+    sample = rng.choice(index, size=min(len(index), 600), replace=False)
+    balls = cloud.tree.query_ball_point(cloud.points[sample], 5.0 * settings.cloud_pitch)
+    flatness = np.array([_thickness(cloud.points[ball]) for ball in balls])
+    sharp = sample[flatness > 2.0 * settings.noise + 0.15 * settings.cloud_pitch]
+    order = np.argsort(np.linalg.norm(cloud.points[sharp] - at, axis=1))
+    for candidate in sharp[order[:12]]:
+        station = find_seed(cloud, cloud.points[candidate], settings)
+        if station is not None:
+            return station
+    return None
+
+
+def proposals(
+    cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float
+) -> list[Frames]:
+    """Sections proposed by the pairs of directions that most normals share."""
+    index = np.array(cloud.tree.query_ball_point(at, radius), dtype=np.int64)
+    if len(index) < 12:
+        return []
+    if len(index) > _MOST_NORMALS:
+        index = np.random.default_rng(0).choice(index, size=_MOST_NORMALS, replace=False)
+    points = cloud.points[index]
+    normals = _normals(cloud, points)
+    weight = np.exp(-np.square(np.linalg.norm(points - at, axis=1) / (0.6 * radius)))
+    planes = _shared_planes(points, normals, weight, max(0.8 * min_angle, np.radians(10.0)))
+    frames = []
+    for (normal_a, centre_a), (normal_b, centre_b) in combinations(planes, 2):
+        tangent = np.cross(normal_a, normal_b)
+        size = np.linalg.norm(tangent)
+        if size < np.sin(0.5 * min_angle):
+            continue
+        tangent /= size
+        origin = np.linalg.solve(
+            np.array([normal_a, normal_b, tangent]),
+            np.array([normal_a @ centre_a, normal_b @ centre_b, tangent @ at]),
+        )
+        if np.linalg.norm(origin - at) > radius:
+            continue
+        sides = np.array([np.cross(tangent, normal_a), np.cross(tangent, normal_b)])
+        for k, centre in enumerate((centre_a, centre_b)):
+            sides[k] *= 1.0 if (centre - origin) @ sides[k] >= 0 else -1.0
+        frames.append(frames_from_sides(origin[None], tangent[None], sides[None]))
+    return frames
+
+
+def _shared_planes(
+    points: np.ndarray, normals: np.ndarray, weight: np.ndarray, apart: float
+) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Up to three planes, each the normal and the centre of points that share a direction."""
+    alike = np.abs(normals @ normals.T)
+    left = np.ones(len(points), dtype=bool)
+    planes = []
+    for _ in range(3):
+        score = (alike > _SAME_DIRECTION) @ (weight * left)
+        score[~left] = 0.0
+        leader = int(np.argmax(score))
+        members = left & (alike[leader] > _SAME_DIRECTION)
+        if members.sum() < 5 or score[leader] < 0.03 * weight.sum():
+            break
+        scatter = np.einsum("n,ni,nj->ij", weight[members], normals[members], normals[members])
+        normal = np.linalg.eigh(scatter)[1][:, -1]
+        height = points[members] @ normal
+        level = _weighted_median(height, weight[members])
+        centre = np.average(points[members], axis=0, weights=weight[members])
+        planes.append((normal, centre + (level - centre @ normal) * normal))
+        left &= np.abs(normals @ normal) < np.cos(apart)
+        if left.sum() < 5:
+            break
+    return planes
+
+
+def _confirmed(
+    cloud: PointCloud,
+    frame: Frames,
+    at: np.ndarray,
+    radius: float,
+    settings: PatchSettings,
+    along: np.ndarray | None,
+    within: float | None,
+) -> Station | None:
+    """Measure a proposed section with growing reach; None when it is not an edge near the click."""
+    station = measure_growing(cloud, frame, max(radius, 6.0 * settings.cloud_pitch), settings)
+    if station is None:
+        return None
+    found = station.frame
+    if found.turn[0] < settings.min_angle or station.sigma > settings.cloud_pitch:
+        return None
+    if np.linalg.norm(_gap(found, at)) > (within or max(radius, 4.0 * settings.cloud_pitch)):
+        return None
+    if along is not None:
+        if abs(float(found.tangent[0] @ along)) < np.cos(np.radians(40.0)):
+            return None
+        if float(found.tangent[0] @ along) < 0:
+            flipped = frames_from_sides(
+                found.origin, -found.tangent, found.sides, found.bend, found.curvature
+            )
+            station = Station(flipped, station.sigma, station.noise, station.begins)
+    return station
+
+
+def measure_growing(
+    cloud: PointCloud, frame: Frames, reach: float, settings: PatchSettings
+) -> Station | None:
+    """Measure a section again and again with growing reach, each time knowing the shape better."""
+    station = None
+    while True:
+        reach = min(reach, settings.reach)
+        section = PatchSection(cloud, settings.with_reach(reach))
+        measured = section.measure(frame, settings.half_width)
+        if measured.stop is not None:
+            return None
+        station, frame = measured, measured.frame
+        if reach >= settings.reach:
+            return station
+        reach *= _GROWTH
+
+
+def _gap(frame: Frames, at: np.ndarray) -> np.ndarray:
+    """Vector from the edge's tangent line to the click."""
+    offset = at - frame.origin[0]
+    return offset - (offset @ frame.tangent[0]) * frame.tangent[0]
+
+
+def _normals(cloud: PointCloud, points: np.ndarray) -> np.ndarray:
+    """Normals of the least-squares planes through each point's neighbours, (n, 3), any sign."""
+    _, neighbours = cloud.tree.query(points, k=min(_NEIGHBOURS, len(cloud)))
+    spread = cloud.points[neighbours]
+    spread = spread - spread.mean(axis=1, keepdims=True)
+    return np.linalg.eigh(np.einsum("nki,nkj->nij", spread, spread))[1][:, :, 0]
+
+
+def _thickness(points: np.ndarray) -> float:
+    """Standard deviation of points about their plane, mm."""
+    if len(points) < 6:
+        return 0.0
+    spread = points - points.mean(axis=0)
+    return float(np.sqrt(max(np.linalg.eigvalsh(spread.T @ spread)[0], 0.0) / len(points)))
+
+
+def _weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
+    order = np.argsort(values)
+    half = np.searchsorted(np.cumsum(weights[order]), 0.5 * weights.sum())
+    return float(values[order[min(half, len(order) - 1)]])
+

@@ -1,0 +1,230 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Fits of the two sides of an edge: which stretch of a side is one smooth surface, and its shape.
+
+A side is the implicit section
+
+    height = c0 + c1·away + c2·(away² + height²)/2 + c3·along,
+
+a circle (a line when c2 = 0) whose distance residuals are linear in the coefficients, with a
+drift along the edge. Points are summed into blocks by their distance from the edge; every stretch
+of consecutive blocks is then a difference of cumulated normal equations, and all stretches of all
+sections are solved in one batch. Lengths are divided by the reach, so that everything is of
+order one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import sparse
+
+from .section import SectionPoints
+
+BLOCKS = 12
+_TERMS = 4
+_PAIRS = np.triu_indices(_TERMS + 1)
+_SQUARE = np.zeros((_TERMS + 1, _TERMS + 1), dtype=np.int64)
+_SQUARE[_PAIRS] = np.arange(len(_PAIRS[0]))
+_SQUARE = np.maximum(_SQUARE, _SQUARE.T)
+
+# Standard deviations of the coefficients before anything is measured, in units of the reach:
+# they keep thin support from giving wild extrapolations.
+PRIOR_SIGMA = np.array([1.0, 0.7, 0.8, 0.3])
+
+
+@dataclass(frozen=True)
+class SideFits:
+    """Fitted sides of m sections; all arrays (m, 2, …).
+
+    Attributes
+    ----------
+    reach : the length everything is divided by, mm
+    coefficients : (m, 2, 4) c0 … c3, in units of the reach
+    inverse : (m, 2, 4, 4) inverse of the normal matrix; times variance it is the covariance
+    variance : (m, 2) variance of the points about the fit, in units of reach²
+    count : (m, 2) number of points in the fit
+    stretch : (m, 2, 2) first and last block (exclusive) of the stretch that was fitted
+    accepted : (m, 2) whether the stretch is one smooth surface within the noise
+    """
+
+    reach: float
+    coefficients: np.ndarray
+    inverse: np.ndarray
+    variance: np.ndarray
+    count: np.ndarray
+    stretch: np.ndarray
+    accepted: np.ndarray
+
+    @property
+    def begins(self) -> np.ndarray:
+        """Distance from the edge where the stretch begins, (m, 2) mm."""
+        return self.stretch[..., 0] * (self.reach / BLOCKS)
+
+    @property
+    def ends(self) -> np.ndarray:
+        """Distance from the edge where the stretch ends, (m, 2) mm."""
+        return self.stretch[..., 1] * (self.reach / BLOCKS)
+
+    def residuals(self, points: SectionPoints) -> np.ndarray:
+        """Height of the points above their own side's fit, (n,) mm."""
+        c = self.coefficients[points.owner, points.side]
+        away, height, along = (
+            value / self.reach for value in (points.away, points.height, points.along)
+        )
+        fitted = c[:, 0] + c[:, 1] * away + 0.5 * c[:, 2] * (away**2 + height**2) + c[:, 3] * along
+        return (height - fitted) * self.reach
+
+
+def block_moments(points: SectionPoints, sections: int, reach: float) -> np.ndarray:
+    """Normal equations of each block of each side, (m, 2, BLOCKS, 15).
+
+    The last axis holds the upper triangle of the products of (1, s, (s²+n²)/2, u, n).
+    """
+    away, height, along = (value / reach for value in (points.away, points.height, points.along))
+    block = np.floor(away * BLOCKS).astype(np.int64)
+    inside = (block >= 0) & (block < BLOCKS)
+    rows = np.stack(
+        [np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height], axis=1
+    )[inside]
+    bins = ((points.owner * 2 + points.side) * BLOCKS + block)[inside]
+    products = rows[:, _PAIRS[0]] * rows[:, _PAIRS[1]]
+    total = sections * 2 * BLOCKS
+    starts = np.zeros(total + 1, dtype=np.int64)
+    np.cumsum(np.bincount(bins, minlength=total), out=starts[1:])
+    order = np.argsort(bins, kind="stable")
+    gather = sparse.csr_matrix((np.ones(len(bins)), order, starts), shape=(total, len(bins)))
+    return np.asarray(gather @ products).reshape(sections, 2, BLOCKS, -1)
+
+
+def block_counts(points: SectionPoints, sections: int, reach: float) -> np.ndarray:
+    """Number of points in each block of each side, (m, 2, BLOCKS)."""
+    block = np.floor(points.away * (BLOCKS / reach)).astype(np.int64)
+    inside = (block >= 0) & (block < BLOCKS)
+    bins = ((points.owner * 2 + points.side) * BLOCKS + block)[inside]
+    return np.bincount(bins, minlength=sections * 2 * BLOCKS).reshape(sections, 2, BLOCKS)
+
+
+def _stretches(shortest: int) -> tuple[np.ndarray, np.ndarray]:
+    first, last = np.triu_indices(BLOCKS + 1, k=shortest)
+    return first, last
+
+
+def choose_stretches(
+    moments: np.ndarray,
+    reach: float,
+    noise: float | np.ndarray,
+    curvature: np.ndarray,
+    curvature_sigma: float | np.ndarray = PRIOR_SIGMA[2],
+    slack: float = 0.3,
+    doubtful: np.ndarray | None = None,
+    shortest: int = 2,
+) -> SideFits:
+    """Fit every stretch of blocks of every side, and keep the one that knows the edge best.
+
+    Of the stretches that are one smooth surface within the noise (no block's mean and not the
+    whole misfits), the one whose extrapolation to the edge has the smallest variance is taken;
+    it neither runs into a rounding nor over the next edge, and it does not matter how narrow the
+    side is.
+
+    Parameters
+    ----------
+    moments : (m, 2, BLOCKS, 15) array from `block_moments`
+    reach : mm
+    noise : standard deviation of the points along the normal, mm, one or (m, 2)
+    curvature, curvature_sigma : expected curvature of each side (m, 2) and its sigma, times reach
+    slack : systematic misfit of a block that is tolerated, in noise
+    doubtful : (m, 2, BLOCKS) blocks that lost many of their points as outliers: where a rounding
+        begins, the points that are left only look like the side
+    """
+    first, last = _stretches(shortest)
+    sections = len(moments)
+    variance = np.broadcast_to(np.square(np.asarray(noise, dtype=float) / reach), (sections, 2))
+    cumulated = np.zeros((sections, 2, BLOCKS + 1, moments.shape[-1]))
+    np.cumsum(moments, axis=2, out=cumulated[:, :, 1:])
+    summed = cumulated[:, :, last] - cumulated[:, :, first]
+    fits = _solve(summed, variance[..., None], curvature[..., None], curvature_sigma)
+    coefficients, inverse, misfit, count = fits
+    degrees = np.maximum(count - 3.0, 1.0)
+    ratio = misfit / degrees / variance[..., None]
+    # Mean residual of every block under every stretch's fit.
+    blocks = moments[..., _SQUARE[0]]
+    number = np.maximum(blocks[..., 0], 1e-9)
+    mean = (
+        blocks[:, :, None, :, 4]
+        - np.einsum("mkpc,mkbc->mkpb", coefficients, blocks[..., :4])
+    ) / number[:, :, None]
+    filled = blocks[..., 0] > 0
+    allowed = np.sqrt(variance[..., None] * (1.0 / number + slack**2))
+    within = (np.arange(BLOCKS) >= first[:, None]) & (np.arange(BLOCKS) < last[:, None])
+    worst = np.max(
+        np.where(within & filled[:, :, None, :], np.abs(mean) / allowed[:, :, None], 0.0),
+        axis=-1,
+    )
+    populated = np.sum(within & filled[:, :, None, :], axis=-1)
+    enough = (count >= 8) & (populated >= 2) & filled[..., first] & filled[..., last - 1]
+    smooth = (ratio <= 1.25 * (1.0 + 3.0 * np.sqrt(2.0 / degrees))) & (worst <= 3.3)
+    if doubtful is not None:
+        smooth &= ~np.any(within & doubtful[:, :, None, :], axis=-1)
+    extrapolated = variance[..., None] * inverse[..., 0, 0]
+    # A stretch that is not smooth is only taken when none is, and then the least bad one.
+    badness = np.maximum(np.maximum(ratio, (worst / 3.3) ** 2), 1.0)
+    score = np.where(smooth, extrapolated, 1e6 * extrapolated * badness**2)
+    score = np.where(enough, score, np.inf)
+    best = np.argmin(score, axis=-1)
+    m, k = np.indices(best.shape)
+    spread = np.maximum(misfit[m, k, best] / degrees[m, k, best], 0.0)
+    return SideFits(
+        reach,
+        coefficients[m, k, best],
+        inverse[m, k, best],
+        spread,
+        count[m, k, best],
+        np.stack([first[best], last[best]], axis=-1),
+        (smooth & enough)[m, k, best],
+    )
+
+
+def fit_stretches(
+    moments: np.ndarray,
+    reach: float,
+    noise: float | np.ndarray,
+    stretch: np.ndarray,
+    curvature: np.ndarray,
+    curvature_sigma: float | np.ndarray,
+) -> SideFits:
+    """Fit given stretches of blocks, (m, 2, 2) first and last (exclusive); see choose_stretches."""
+    sections = len(moments)
+    variance = np.broadcast_to(np.square(np.asarray(noise, dtype=float) / reach), (sections, 2))
+    block = np.arange(BLOCKS)
+    within = (block >= stretch[..., :1]) & (block < stretch[..., 1:])
+    summed = np.einsum("mkb,mkbq->mkq", within.astype(float), moments)
+    coefficients, inverse, misfit, count = _solve(summed, variance, curvature, curvature_sigma)
+    spread = np.maximum(misfit / np.maximum(count - 3.0, 1.0), 0.0)
+    return SideFits(reach, coefficients, inverse, spread, count, stretch, count >= 6)
+
+
+def _solve(
+    summed: np.ndarray,
+    variance: np.ndarray,
+    curvature: np.ndarray,
+    curvature_sigma: float | np.ndarray,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Coefficients, inverse normal matrix, sum of squares and count, for (…, 15) normal equations."""
+    full = summed[..., _SQUARE]
+    normal, right = full[..., :_TERMS, :_TERMS], full[..., :_TERMS, _TERMS]
+    weight = np.broadcast_to(
+        variance[..., None] / PRIOR_SIGMA**2, (*normal.shape[:-2], _TERMS)
+    ).copy()
+    weight[..., 2] = variance / np.square(curvature_sigma)
+    weight = np.maximum(weight, 1e-12)
+    inverse = np.linalg.inv(normal + weight[..., None] * np.eye(_TERMS))
+    pulled = right.copy()
+    pulled[..., 2] += weight[..., 2] * curvature
+    coefficients = np.einsum("...ij,...j->...i", inverse, pulled)
+    misfit = (
+        full[..., _TERMS, _TERMS]
+        - 2.0 * np.einsum("...i,...i->...", coefficients, right)
+        + np.einsum("...i,...ij,...j->...", coefficients, normal, coefficients)
+    )
+    return coefficients, inverse, np.maximum(misfit, 0.0), full[..., 0, 0]

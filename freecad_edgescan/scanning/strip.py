@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The cloud's points in a strip along an edge, each in the sections it lies near to."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ..cloud.point_cloud import PointCloud
+from .section import Frames, SectionPoints, section_points
+
+
+def strip_points(
+    cloud: PointCloud, frames: Frames, reach: float, half_width: float, closed: bool
+) -> SectionPoints:
+    """Points within the reach of an edge, once for every section whose slab they lie in.
+
+    Parameters
+    ----------
+    frames : (m) sections along the edge
+    reach : distance from the edge, mm
+    half_width : half the width of a slab, mm
+    """
+    spacing = float(np.median(np.linalg.norm(np.diff(frames.origin, axis=0), axis=1), axis=0))
+    stride = max(1, int(0.5 * reach / max(spacing, 1e-12)))
+    centres = frames.origin[np.unique(np.append(np.arange(0, len(frames), stride), len(frames) - 1))]
+    radius = float(np.hypot(reach, 0.5 * reach) + half_width)
+    balls = cloud.tree.query_ball_point(centres, radius, return_sorted=False)
+    index = np.unique(np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls]))
+    points = cloud.points[index]
+    _, nearest = cKDTree(frames.origin).query(points)
+    neighbours = int(np.ceil(half_width / max(spacing, 1e-12) + 0.5))
+    parts = []
+    for step in range(-neighbours, neighbours + 1):
+        owner = nearest + step
+        if closed:
+            owner %= len(frames)
+            rows = np.arange(len(owner))
+        else:
+            rows = np.flatnonzero((owner >= 0) & (owner < len(frames)))
+        found = section_points(frames, owner[rows], index[rows], points[rows])
+        parts.append(
+            found[(np.abs(found.along) <= half_width) & (found.away > 0) & (found.away < reach)]
+        )
+    return SectionPoints(
+        *(
+            np.concatenate([getattr(part, name) for part in parts])
+            for name in ("index", "owner", "along", "side", "away", "height")
+        )
+    )

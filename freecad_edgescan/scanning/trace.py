@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""From a first station to the whole walk: one way to a gate, or both ways until the edge ends."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .progress import Progress
+from .section import Section, Station
+from .start import Gate
+from .stop import Stop
+from .walker import Arrived, reversed_frame, walk
+
+
+@dataclass(frozen=True)
+class Trace:
+    """The stations of an edge in order, and why there are no more at its start and end."""
+
+    stations: list[Station]
+    stops: tuple[Stop, Stop]
+
+    @property
+    def closed(self) -> bool:
+        return self.stops[1] is Stop.CLOSED
+
+
+def trace_one_way(
+    section: Section,
+    first: Station,
+    edge_pitch: float,
+    half_width: float,
+    arrived: Arrived | None = None,
+    progress: Progress | None = None,
+) -> Trace:
+    """Walk along the first station's tangent only."""
+    onward = walk(section, first, edge_pitch, half_width, arrived, progress=progress)
+    return Trace([first, *onward.stations], (Stop.START, onward.stop))
+
+
+def trace_both_ways(
+    section: Section,
+    first: Station,
+    edge_pitch: float,
+    half_width: float,
+    progress: Progress | None = None,
+) -> Trace:
+    """Walk along the tangent until the edge ends, then from the first station the other way."""
+    onward = walk(section, first, edge_pitch, half_width, progress=progress)
+    if onward.stop is Stop.CLOSED:
+        return Trace([first, *onward.stations], (Stop.CLOSED, Stop.CLOSED))
+    if onward.stop is Stop.CANCELLED:
+        return Trace([first, *onward.stations], (Stop.START, Stop.CANCELLED))
+    known = [first, *onward.stations]
+    backward = walk(
+        section, turned(first), edge_pitch, half_width, progress=progress, before=known
+    )
+    stations = [turned(station) for station in reversed(backward.stations)]
+    return Trace([*stations, *known], (backward.stop, onward.stop))
+
+
+def turned(station: Station) -> Station:
+    """The same station, walked the other way."""
+    return Station(
+        reversed_frame(station.frame), station.sigma, station.noise, station.begins, station.stop
+    )
+
+
+class LineGate:
+    """Ends a walk whose last step crossed a gate."""
+
+    def __init__(self, gate: Gate, amplitude: float, approach: np.ndarray | None) -> None:
+        self.gate, self.amplitude, self.approach = gate, amplitude, approach
+
+    def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
+        upright = self.approach
+        if upright is None:
+            upright = np.cross(self.gate.across, after - before)
+            size = float(np.linalg.norm(upright))
+            if size < 1e-9:
+                return False
+            upright = upright / size
+        return self.gate.crossing(before, after, self.amplitude, upright) is not None
+
+
+class PointGate:
+    """Ends a walk once it is leaving the neighbourhood of a point."""
+
+    def __init__(self, point: np.ndarray, reach: float) -> None:
+        self.point, self.reach = point, reach
+
+    def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
+        was, now = (float(np.linalg.norm(p - self.point)) for p in (before, after))
+        return was < self.reach and now > was

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The walk along an edge: predict the next section, measure it, decide whether to go on.
+
+One walker for every kind of section. It knows nothing of clouds: a `Section` measures, the walker
+steers by tangent and bend, shortens its steps where the edge turns or ends, and says why it
+stopped.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from .progress import Progress, SoFar
+from .section import Frames, Section, Station, frames_from_sides
+from .stop import Stop
+
+_SHORTEST_STEP = 0.25  # of the edge pitch
+_LARGEST_TURN = 0.35  # rad, of tangent or sides between two edge points beyond what was predicted
+_TANGENT_GAIN = 0.5  # how much of a tangent's innovation is believed
+_BEND_GAIN = 0.15  # how much of it is put down to a change of bend
+
+Arrived = Callable[[np.ndarray, np.ndarray], bool]
+
+
+@dataclass(frozen=True)
+class Walk:
+    """Stations in walking order, without the first one, and why there are no more."""
+
+    stations: list[Station]
+    stop: Stop
+
+
+def walk(
+    section: Section,
+    first: Station,
+    edge_pitch: float,
+    half_width: float,
+    arrived: Arrived | None = None,
+    limit: int = 100_000,
+    progress: Progress | None = None,
+    before: list[Station] | None = None,
+) -> Walk:
+    """Walk along the tangent of the first station until the edge ends.
+
+    Parameters
+    ----------
+    section : who measures
+    first : where to begin; its tangent is the direction of the walk
+    edge_pitch : distance of the edge points, mm; shorter where the edge turns or ends
+    half_width : of the slab at full step, mm
+    arrived : called with the last two edge points; True ends the walk at a gate
+    limit : largest number of stations
+    progress : told after some stations, may cancel
+    before : what an earlier walk the other way found, for the progress
+    """
+    stations = [first]
+    step, travelled, reported = edge_pitch, 0.0, 0
+    earlier = list(before or [])
+    while True:
+        if len(stations) > limit:
+            return Walk(stations[1:], Stop.LIMIT)
+        last = stations[-1]
+        predicted = predict(last.frame, step)
+        width = half_width * float(np.clip(step / edge_pitch, 0.6, 1.0))
+        measured = section.measure(predicted, width)
+        stop = measured.stop or _jump(predicted, measured, step)
+        if stop is not None:
+            step *= 0.5
+            if step < _SHORTEST_STEP * edge_pitch:
+                return Walk(stations[1:], stop)
+            continue
+        station = _steered(last, predicted, measured, step)
+        stations.append(station)
+        travelled += step
+        step = min(1.5 * step, edge_pitch)
+        here, there = last.frame.origin[0], station.frame.origin[0]
+        if arrived is not None and arrived(here, there):
+            return Walk(stations[1:], Stop.GATE)
+        if _closed(stations, travelled, edge_pitch):
+            return Walk(stations[1:], Stop.CLOSED)
+        if progress is not None and len(stations) - reported >= 10:
+            so_far = SoFar(earlier + stations, len(earlier) + reported)
+            reported = len(stations)
+            if not progress.update(np.nan, so_far):
+                return Walk(stations[1:], Stop.CANCELLED)
+
+
+def predict(frame: Frames, step: float) -> Frames:
+    """The section one step further, on the osculating circle of the edge."""
+    tangent, bend = frame.tangent, frame.bend
+    origin = frame.origin + step * tangent + 0.5 * step**2 * bend
+    ahead = tangent + step * bend
+    ahead = ahead / np.linalg.norm(ahead, axis=-1, keepdims=True)
+    turned = _carry(frame.sides, tangent, ahead)
+    onward = bend - np.einsum("mi,mi->m", bend, ahead)[:, None] * ahead
+    return frames_from_sides(origin, ahead, turned, onward, frame.curvature)
+
+
+def reversed_frame(frame: Frames) -> Frames:
+    """The same section, walked the other way."""
+    return frames_from_sides(
+        frame.origin, -frame.tangent, frame.sides, frame.bend, frame.curvature
+    )
+
+
+def _carry(vectors: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Turn vectors (m, k, 3) by the smallest rotation that takes one tangent to the next."""
+    axis = np.cross(before, after)
+    cosine = np.einsum("mi,mi->m", before, after)[:, None, None]
+    crossed = np.cross(axis[:, None], vectors)
+    return (
+        vectors * cosine
+        + crossed
+        + axis[:, None]
+        * np.einsum("mi,mki->mk", axis, vectors)[..., None]
+        / np.maximum(1.0 + cosine, 1e-9)
+    )
+
+
+def _jump(predicted: Frames, measured: Station, step: float) -> Stop | None:
+    """Whether the measured section cannot be the predicted edge."""
+    frame = measured.frame
+    if not np.isfinite(measured.sigma):
+        return Stop.LOST
+    aside = frame.origin[0] - predicted.origin[0]
+    aside = aside - (aside @ predicted.tangent[0]) * predicted.tangent[0]
+    if np.linalg.norm(aside) > 0.35 * step + 4.0 * measured.sigma:
+        return Stop.LOST
+    cosine = float(frame.tangent[0] @ predicted.tangent[0])
+    for k in range(2):
+        cosine = min(cosine, float(frame.sides[0, k] @ predicted.sides[0, k]))
+    return Stop.CORNER if cosine < np.cos(_LARGEST_TURN) else None
+
+
+def _steered(last: Station, predicted: Frames, measured: Station, step: float) -> Station:
+    """The measured station with tangent and bend smoothed by what the walk already knows."""
+    frame = measured.frame
+    chord = frame.origin - last.frame.origin
+    chord = chord / np.linalg.norm(chord, axis=-1, keepdims=True)
+    # The chord ends half a step of bend behind the tangent; it knows the direction well where
+    # the section's own tangent, read off a narrow slab, is noisy.
+    chord_tangent = chord + 0.5 * step * predicted.bend
+    seen = frame.tangent + chord_tangent / np.linalg.norm(chord_tangent, axis=-1, keepdims=True)
+    seen = seen / np.linalg.norm(seen, axis=-1, keepdims=True)
+    surprise = seen - predicted.tangent
+    size = float(np.linalg.norm(surprise))
+    gain = _TANGENT_GAIN if size < 0.1 else min(1.0, _TANGENT_GAIN * size / 0.1)
+    tangent = predicted.tangent + gain * surprise
+    bend = predicted.bend + (_BEND_GAIN if size < 0.1 else 0.4) * surprise / step
+    tangent = tangent / np.linalg.norm(tangent, axis=-1, keepdims=True)
+    bend = bend - np.einsum("mi,mi->m", bend, tangent)[:, None] * tangent
+    curvature = 0.7 * predicted.curvature + 0.3 * frame.curvature
+    steered = frames_from_sides(frame.origin, tangent, frame.sides, bend, curvature)
+    return Station(steered, measured.sigma, measured.noise, measured.begins)
+
+
+def _closed(stations: list[Station], travelled: float, edge_pitch: float) -> bool:
+    """Whether the walk has come back to its first station."""
+    if travelled < 6.0 * edge_pitch:
+        return False
+    first, last = stations[0].frame, stations[-1].frame
+    gap = first.origin[0] - last.origin[0]
+    ahead = float(gap @ last.tangent[0])
+    return (
+        bool(np.linalg.norm(gap) < 1.2 * edge_pitch)
+        and ahead > -0.6 * edge_pitch
+        and float(first.tangent[0] @ last.tangent[0]) > 0.8
+    )
