@@ -2,13 +2,19 @@
 """Point clouds: reading, writing, statistics, and simulated clouds with known truth."""
 
 from .point_cloud import PointCloud, require_surface
+from .reading import READABLE_ENDINGS, read_cloud
 from .simulated_cloud import SimulatedCloud
 from .torus_object import TorusFace, TorusObject
 from .true_edge import TrueEdge
+from .writing import WRITABLE_ENDINGS, write_cloud
 
 __all__ = [
     "PointCloud",
     "require_surface",
+    "read_cloud",
+    "write_cloud",
+    "READABLE_ENDINGS",
+    "WRITABLE_ENDINGS",
     "SimulatedCloud",
     "TorusFace",
     "TorusObject",

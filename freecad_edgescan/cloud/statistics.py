@@ -140,5 +140,5 @@ def _quadric(local: Array) -> tuple[Array, Array]:
     freedom = np.maximum(local.shape[1] - seen.sum(axis=1), 1)
     size = scale[:, 0, 0]
     variance = (residuals**2).sum(axis=1) / freedom * size**2
-    bend = np.sqrt((coefficients[:, 3:, 0] ** 2 @ np.array([1.0, 0.5, 1.0]))) * size
+    bend = np.sqrt(coefficients[:, 3:, 0] ** 2 @ np.array([1.0, 0.5, 1.0])) * size
     return np.asarray(variance), np.asarray(bend)
