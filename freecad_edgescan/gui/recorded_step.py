@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Commands as macro lines, run as one undo step.
+
+Everything a command does to a document it does by lines of Python that FreeCAD records. They
+mention neither the screen nor the mouse, so that a recorded macro replays in ``freecadcmd``.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+__all__ = ["as_literal", "object_line", "run_as_one_step"]
+
+
+def as_literal(point: Any) -> str:
+    """Three numbers as the tuple that reads back bit for bit."""
+    x, y, z = (float(value) for value in point)
+    return f"({x!r}, {y!r}, {z!r})"
+
+
+def object_line(item: Any) -> str:
+    """The expression that finds a document object again, given ``doc``."""
+    return f"doc.getObject({item.Name!r})"
+
+
+def run_as_one_step(doc: Any, title: str, lines: list[str]) -> list[Any]:
+    """Run recorded lines and recompute, all in one undo step, or leave no trace.
+
+    Parameters
+    ----------
+    doc : App.Document, which the lines know as ``doc``; they know ``document`` as our package
+    title : what the undo menu calls the step
+    lines : Python statements
+
+    Returns
+    -------
+    The objects the lines have made.
+
+    Raises
+    ------
+    ValueError: an object the lines made could not be computed; the text is the object's own.
+    Whatever the lines raise.
+    """
+    before = {item.Name for item in doc.Objects}
+    doc.openTransaction(title)
+    try:
+        FreeCADGui.doCommand("from freecad_edgescan import document")
+        FreeCADGui.doCommand(f"doc = FreeCAD.getDocument({doc.Name!r})")
+        for line in lines:
+            FreeCADGui.doCommand(line)
+        FreeCADGui.doCommand("doc.recompute()")
+        made = [item for item in doc.Objects if item.Name not in before]
+        _require_valid(made)
+    except BaseException:
+        doc.abortTransaction()
+        raise
+    doc.commitTransaction()
+    FreeCAD.Console.PrintLog(f"{title}: {', '.join(item.Label for item in made)}\n")
+    return made
+
+
+def _require_valid(made: list[Any]) -> None:
+    for item in made:
+        if "Invalid" in item.State:
+            raise ValueError(f"{item.Label} could not be computed: {item.getStatusString()}")

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A real FreeCAD window with a small cloud in it, and hands that click and type."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+FreeCAD = pytest.importorskip("FreeCAD", reason="needs a FreeCAD window")
+Gui = pytest.importorskip("FreeCADGui", reason="needs a FreeCAD window")
+if not hasattr(Gui, "getMainWindow"):
+    pytest.skip("needs a FreeCAD window", allow_module_level=True)
+
+from freecad_edgescan.gui.qt import QtCore, QtGui, QtWidgets  # noqa: E402
+
+SLOPE = 0.8  # both sides of the roof fall by this for each mm
+HALF_LENGTH = 15.0
+
+
+def roof(noise: float = 0.01, pitch: float = 0.25) -> np.ndarray:
+    """Two slanting sides that meet in a ridge: the line x = 0, z = 5, y from -15 to 15."""
+    random = np.random.default_rng(7)
+    count = int(30 * 20 * np.hypot(1, SLOPE) / pitch**2)
+    x, y = random.uniform(-10, 10, count), random.uniform(-HALF_LENGTH, HALF_LENGTH, count)
+    points = np.column_stack([x, y, 5.0 - SLOPE * np.abs(x)])
+    normal = np.column_stack([SLOPE * np.sign(x), np.zeros(count), np.ones(count)])
+    normal /= np.hypot(1, SLOPE)
+    return points + normal * random.normal(0, noise, (count, 1))
+
+
+class Window:
+    """FreeCAD's main window with one document, and what a person does with it."""
+
+    def __init__(self, doc: Any) -> None:
+        self.doc = doc
+        self.view = Gui.getDocument(doc.Name).ActiveView
+
+    @property
+    def edges(self) -> list[Any]:
+        """Scanned edges in the document."""
+        return [o for o in self.doc.Objects if type(getattr(o, "Proxy", 0)).__name__ != "int"]
+
+    @property
+    def panel(self) -> Any:
+        """The form of the panel that is open, or None."""
+        from freecad_edgescan.gui.scan_edge_form import ScanEdgeForm
+
+        forms = [
+            widget
+            for widget in Gui.getMainWindow().findChildren(QtWidgets.QWidget)
+            if isinstance(widget, ScanEdgeForm)
+        ]
+        return forms[-1] if Gui.Control.activeDialog() and forms else None
+
+    def button(self, name: str) -> Any:
+        """OK or Cancel of the open panel."""
+        boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
+        found = [box.button(getattr(QtWidgets.QDialogButtonBox, name)) for box in boxes]
+        return next(button for button in found if button is not None and button.isVisible())
+
+    def settle(self, seconds: float = 0.05) -> None:
+        """Let the window handle what has come in."""
+        self.wait_until(lambda: False, seconds, must=False)
+
+    def wait_until(
+        self, condition: Callable[[], bool], seconds: float = 60.0, must: bool = True
+    ) -> None:
+        end = time.monotonic() + seconds
+        while not condition():
+            if time.monotonic() > end:
+                assert not must, "the window did not get there in time"
+                return
+            QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
+            time.sleep(0.002)
+
+    def pixel_of(self, point: tuple[float, float, float]) -> tuple[int, int]:
+        """Where a point is seen, counted from the lower left corner."""
+        name = "getPointOnViewport" if hasattr(self.view, "getPointOnViewport") else None
+        x, y = getattr(self.view, name or "getPointOnScreen")(FreeCAD.Vector(*point))
+        return round(x), round(y)
+
+    def click_pixel(self, x: int, y: int) -> None:
+        """Press and release the left mouse button, counted from the lower left corner."""
+        viewport = self.view.graphicsView().viewport()
+        ratio = viewport.devicePixelRatioF()
+        height = self.view.getSize()[1]
+        place = QtCore.QPointF(x / ratio, (height - y - 1) / ratio)
+        left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+        for kind, button, held in (
+            (QtCore.QEvent.MouseMove, none, none),
+            (QtCore.QEvent.MouseButtonPress, left, left),
+            (QtCore.QEvent.MouseButtonRelease, left, none),
+        ):
+            event = QtGui.QMouseEvent(kind, place, button, held, QtCore.Qt.NoModifier)
+            QtWidgets.QApplication.sendEvent(viewport, event)
+            self.settle(0.02)
+
+    def click(self, point: tuple[float, float, float]) -> None:
+        """Click where a point is seen."""
+        self.click_pixel(*self.pixel_of(point))
+
+    def press_escape(self) -> None:
+        """Press Esc over the 3D view."""
+        viewport = self.view.graphicsView().viewport()
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
+            QtWidgets.QApplication.sendEvent(viewport, event)
+            self.settle(0.02)
+
+    def trace(self) -> tuple[object, ...]:
+        """All that a cancelled command must leave as it was."""
+        return (
+            sorted(o.Name for o in self.doc.Objects),
+            self.doc.UndoCount,
+            self.view.getSceneGraph().getNumChildren(),
+            self.view.getSceneGraph().getField("selectionRole").getValue(),
+        )
+
+    def picture(self, name: str) -> None:
+        """Keep a picture of the whole window, when a folder for pictures is named."""
+        folder = os.environ.get("EDGESCAN_PICTURES")
+        if folder:
+            self.settle(0.3)
+            Path(folder).mkdir(parents=True, exist_ok=True)
+            screen = QtWidgets.QApplication.primaryScreen()
+            screen.grabWindow(0).save(str(Path(folder) / f"{name}.png"))
+
+
+@pytest.fixture(scope="session")
+def workbench() -> Any:
+    """The EdgeScan workbench, open."""
+    Gui.activateWorkbench("EdgeScanWorkbench")
+    Gui.getMainWindow().showMaximized()
+    return Gui.activeWorkbench()
+
+
+@pytest.fixture
+def problems(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Sentences of the message boxes, which do not wait for anybody here."""
+    said: list[str] = []
+    monkeypatch.setattr(
+        QtWidgets.QMessageBox, "warning", lambda _parent, _title, text, *_: said.append(text)
+    )
+    return said
+
+
+@pytest.fixture
+def window(workbench: Any, tmp_path: Path) -> Iterator[Window]:
+    """A document that shows the roof from above, slantwise."""
+    from freecad_edgescan import document
+
+    doc = FreeCAD.newDocument("Roof")
+    path = tmp_path / "roof.xyz"
+    np.savetxt(path, roof())
+    document.make_cloud(doc, str(path))
+    doc.recompute()
+    window = Window(doc)
+    window.view.setAnimationEnabled(False)
+    window.view.viewIsometric()
+    window.view.fitAll()
+    window.settle(0.2)
+    yield window
+    if Gui.Control.activeDialog():
+        Gui.Control.closeDialog()
+    window.settle()
+    if doc.Name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(doc.Name)
+    window.settle()

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scanning an edge by mouse: click, see, accept, undo."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any
+
+import numpy as np
+import pytest
+
+FreeCAD = pytest.importorskip("FreeCAD")
+Gui = pytest.importorskip("FreeCADGui")
+
+ON_THE_RIDGE = (0.3, 2.0, 5.0)
+ON_THE_SIDE = (8.0, 0.0, 5.0 - 0.8 * 8.0)
+
+
+def scanned(window: Any) -> Any:
+    """Open the panel, click on the ridge and wait for the edge."""
+    Gui.runCommand("EdgeScan_ScanEdge")
+    window.settle(0.2)
+    window.click(ON_THE_RIDGE)
+    window.wait_until(lambda: window.button("Ok").isEnabled())
+    return window.panel
+
+
+def test_the_panel_says_what_to_do(window: Any) -> None:
+    Gui.runCommand("EdgeScan_ScanEdge")
+    window.settle(0.2)
+    assert window.panel.sentence.startswith("Click on the cloud")
+    assert not window.button("Ok").isEnabled()
+    window.picture("scan_edge_start")
+
+
+@pytest.mark.parametrize("camera", ["Orthographic", "Perspective"])
+def test_one_click_and_ok_make_one_edge_on_the_ridge(window: Any, camera: str) -> None:
+    window.view.setCameraType(camera)
+    window.view.fitAll()
+    window.settle(0.2)
+    undo_steps = window.doc.UndoCount
+    scanned(window)
+    window.picture(f"scan_edge_found_{camera.lower()}")
+    window.button("Ok").click()
+    window.settle(0.2)
+    window.picture(f"scan_edge_made_{camera.lower()}")
+    assert not Gui.Control.activeDialog()
+    (edge,) = window.edges
+    points = np.array([tuple(p) for p in edge.Shape.discretize(50)])
+    assert np.abs(points[:, 0]).max() < 0.05
+    assert np.abs(points[:, 2] - 5.0).max() < 0.05
+    assert np.ptp(points[:, 1]) > 25.0
+    assert window.doc.UndoCount == undo_steps + 1
+
+
+def test_undo_takes_the_edge_away_in_one_step_and_redo_brings_it_back(window: Any) -> None:
+    scanned(window)
+    window.button("Ok").click()
+    window.settle()
+    length = window.edges[0].Shape.Length
+    window.doc.undo()
+    window.settle()
+    assert not window.edges
+    window.doc.redo()
+    window.settle()
+    (edge,) = window.edges
+    assert edge.Shape.Length == length
+    assert edge.ViewObject.Proxy.getIcon().endswith("ScannedEdge.svg")
+
+
+def test_escape_leaves_no_trace(window: Any) -> None:
+    before = window.trace()
+    scanned(window)
+    assert window.trace() != before
+    window.press_escape()
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+    assert window.trace() == before
+
+
+def test_cancel_during_the_scan_leaves_no_trace(window: Any) -> None:
+    before = window.trace()
+    threads = threading.active_count()
+    Gui.runCommand("EdgeScan_ScanEdge")
+    window.settle(0.2)
+    window.click(ON_THE_RIDGE)
+    window.button("Cancel").click()
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+    assert window.trace() == before
+    assert threading.active_count() <= threads
+
+
+def test_a_click_on_the_background_is_answered_by_a_sentence(window: Any) -> None:
+    Gui.runCommand("EdgeScan_ScanEdge")
+    window.settle(0.2)
+    window.click_pixel(3, 3)
+    window.settle()
+    assert "no point of a visible cloud" in window.panel.sentence
+    assert Gui.Control.activeDialog()
+    assert not window.button("Ok").isEnabled()
+
+
+def test_a_click_where_there_is_no_edge_is_answered_by_a_sentence(window: Any) -> None:
+    Gui.runCommand("EdgeScan_ScanEdge")
+    window.settle(0.2)
+    before = window.panel.sentence
+    window.click(ON_THE_SIDE)
+    window.wait_until(lambda: window.panel.sentence not in (before, _scanning()))
+    window.picture("scan_edge_no_edge")
+    assert window.panel.sentence.endswith(".")
+    assert not window.button("Ok").isEnabled()
+    assert not window.edges
+
+
+def test_a_second_click_scans_again_instead(window: Any) -> None:
+    scanned(window)
+    window.click((0.0, -6.0, 5.0))
+    window.wait_until(lambda: window.button("Ok").isEnabled())
+    window.button("Ok").click()
+    window.settle()
+    assert len(window.edges) == 1
+
+
+def test_nothing_is_selected_by_clicking_and_selecting_works_again_afterwards(window: Any) -> None:
+    scanned(window)
+    assert not Gui.Selection.getSelection()
+    window.button("Cancel").click()
+    window.settle()
+    window.click((6.0, 0.0, 5.0 - 0.8 * 6.0))
+    assert [item.TypeId for item in Gui.Selection.getSelection()] == ["Points::Feature"]
+
+
+def test_a_document_closed_under_the_panel_takes_the_panel_along(window: Any) -> None:
+    scanned(window)
+    FreeCAD.closeDocument(window.doc.Name)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+
+
+def test_a_cloud_deleted_under_the_panel_is_said(window: Any) -> None:
+    scanned(window)
+    window.doc.removeObject(window.doc.findObjects("Points::Feature")[0].Name)
+    window.settle()
+    assert "deleted" in window.panel.sentence
+    assert not window.button("Ok").isEnabled()
+
+
+def test_without_a_cloud_the_command_says_what_is_missing(
+    window: Any, problems: list[str]
+) -> None:
+    for item in window.doc.Objects:
+        item.ViewObject.Visibility = False
+    Gui.runCommand("EdgeScan_ScanEdge")
+    assert not Gui.Control.activeDialog()
+    assert len(problems) == 1
+    assert "Import" in problems[0]
+
+
+def _scanning() -> str:
+    from freecad_edgescan.gui.scan_edge_panel import SCANNING
+
+    return SCANNING
