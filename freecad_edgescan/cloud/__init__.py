@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Point clouds: reading, writing, statistics, and simulated clouds with known truth."""
 
+from .core_box import CoreBox
 from .point_cloud import PointCloud, require_surface
 from .reading import READABLE_ENDINGS, read_cloud
 from .simulated_cloud import SimulatedCloud
@@ -15,6 +16,7 @@ __all__ = [
     "write_cloud",
     "READABLE_ENDINGS",
     "WRITABLE_ENDINGS",
+    "CoreBox",
     "SimulatedCloud",
     "TorusFace",
     "TorusObject",
