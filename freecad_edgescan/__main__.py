@@ -149,7 +149,7 @@ def _sentence(error: BaseException) -> str:
     return str(error) or f"{type(error).__name__}; --debug tells where."
 
 
-def _show_warning(message: Warning | str, *_: Any) -> None:
+def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
     print(f"edgescan: {message}", file=sys.stderr)
 
 
@@ -279,18 +279,19 @@ def _write_edges(edges: dict[int, ScannedEdge], path: Path) -> None:
 def _info(options: argparse.Namespace) -> int:
     import numpy as np
 
-    from freecad_edgescan.cloud import read_cloud
+    from freecad_edgescan.cloud import read_cloud, require_surface
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the table below counts what was dropped
         cloud = read_cloud(options.file)
     lowest, highest = cloud.bounds
-    sample = cloud.points[:: max(1, len(cloud) // 500)]
-    coarse, fine = np.nanmedian(cloud.local_pitch(sample), axis=0)
     print(f"points   {len(cloud)}")
     print(f"dropped  {cloud.dropped} rows without three finite numbers")
     for axis, low, high in zip("xyz", lowest, highest, strict=True):
         print(f"{axis}        {low:.6g} to {high:.6g} mm ({high - low:.6g})")
+    require_surface(cloud)
+    sample = cloud.points[:: max(1, len(cloud) // 500)]
+    coarse, fine = np.nanmedian(cloud.local_pitch(sample), axis=0)
     print(f"pitch    {cloud.pitch:.4g} mm ({coarse:.4g} in the one direction, {fine:.4g} across)")
     print(f"noise    {cloud.noise:.4g} mm standard deviation along the normal")
     return 0

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -60,7 +61,7 @@ def _surroundings(
 
 
 def _draw_region(
-    axes: object,
+    axes: Any,
     cloud: PointCloud,
     edges: Sequence[ScannedEdge],
     region: tuple[NDArray[np.float64], NDArray[np.float64]],

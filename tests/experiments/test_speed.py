@@ -10,7 +10,7 @@ from freecad_edgescan.experiments.speed import simulated_cloud
 
 
 def test_the_simulated_cloud_has_about_the_points_that_were_asked_for() -> None:
-    assert len(simulated_cloud(50_000)) == pytest.approx(50_000, rel=0.03)
+    assert len(simulated_cloud(50_000)) == pytest.approx(50_000, rel=0.1)
 
 
 def test_the_edge_that_is_timed_lies_on_the_true_edge() -> None:
