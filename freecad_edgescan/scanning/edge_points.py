@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.ndimage import convolve1d
+from scipy.ndimage import convolve1d, percentile_filter
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners
@@ -69,10 +69,11 @@ def measure_together(
             points[~removed], frames, reach, noise, mode, lost > 0.25 * (lost + left)
         )
     moments = block_moments(points[~removed], len(frames), reach)
+    stretch = _agreed_stretches(pooled.stretch, "wrap" if closed else "nearest")
     curvature, curvature_sigma = _shared_curvature(pooled, mode)
     local = np.sqrt(pooled.variance) * reach
     fits = fit_stretches(
-        moments, reach, np.maximum(local, 1e-6 * reach), pooled.stretch, curvature, curvature_sigma
+        moments, reach, np.maximum(local, 1e-6 * reach), stretch, curvature, curvature_sigma
     )
     # One section alone knows its own scatter badly; its neighbours' is the same.
     fits = replace(fits, variance=pooled.variance, accepted=fits.accepted & pooled.accepted)
@@ -92,7 +93,7 @@ def _pooled_fits(
 ) -> SideFits:
     moments = _pool(block_moments(points, len(frames), reach), _POOLED, mode)
     return choose_stretches(
-        moments, reach, noise, frames.curvature * reach, slack=0.2, doubtful=doubtful
+        moments, reach, noise, frames.curvature * reach, slack=0.05, doubtful=doubtful
     )
 
 
@@ -102,6 +103,15 @@ def _pool(values: np.ndarray, width: int, mode: str) -> np.ndarray:
     if width < 1:
         return values
     return convolve1d(values, np.ones(2 * width + 1), axis=0, mode=mode, cval=0.0)
+
+
+def _agreed_stretches(stretch: np.ndarray, mode: str) -> np.ndarray:
+    """Begin late and end early where neighbours differ: a rounding in the fit costs more."""
+    window = (min(2 * _POOLED + 1, len(stretch)), 1)
+    begins = percentile_filter(stretch[..., 0], 75, size=window, mode=mode)
+    ends = percentile_filter(stretch[..., 1], 25, size=window, mode=mode)
+    narrow = (ends - begins < 2)[..., None]
+    return np.where(narrow, stretch, np.stack([begins, ends], axis=-1))
 
 
 def _shared_curvature(pooled: SideFits, mode: str) -> tuple[np.ndarray, np.ndarray]:

@@ -17,7 +17,7 @@ from ..cloud.point_cloud import PointCloud
 from .patch_section import PatchSection, PatchSettings
 from .section import Frames, Station, frames_from_sides
 
-_BALLS = (4.0, 6.0, 9.0, 14.0, 20.0, 30.0)  # radii round the click, in pitches
+_BALLS = ((4.0, 6.0, 9.0, 14.0), (20.0, 30.0))  # radii round the click, in pitches
 _NEIGHBOURS = 16
 _SAME_DIRECTION = np.cos(np.radians(14.0))
 _MOST_NORMALS = 500
@@ -40,15 +40,19 @@ def find_seed(
     along : (3,) unit vector; only edges within 40° of it count, and it gives the direction
     within : largest distance of the edge from the click, mm; by default what each ball can see
     """
-    for ball in _BALLS:
-        radius = ball * settings.cloud_pitch
-        stations = [
-            station
-            for frame in proposals(cloud, at, radius, settings.min_angle)
-            if (station := _confirmed(cloud, frame, at, radius, settings, along, within))
-        ]
-        if stations:
-            return min(stations, key=lambda s: float(np.linalg.norm(_gap(s.frame, at))))
+    for balls in _BALLS:
+        tried: list[Frames] = []
+        stations = []
+        for ball in balls:
+            radius = ball * settings.cloud_pitch
+            for frame in proposals(cloud, at, radius, settings.min_angle):
+                if not any(_alike(frame, other) for other in tried):
+                    tried.append(frame)
+                    stations.append(_confirmed(cloud, frame, at, radius, settings, along, within))
+        found = [station for station in stations if station is not None]
+        if found:
+            # Small balls also propose tangent planes of a rounding; their edges are poorly known.
+            return min(found, key=lambda s: s.sigma * (1.0 + _gap(s, at) / settings.cloud_pitch))
     return None
 
 
@@ -141,13 +145,13 @@ def _confirmed(
     within: float | None,
 ) -> Station | None:
     """Measure a proposed section with growing reach; None when it is not an edge near the click."""
-    station = measure_growing(cloud, frame, max(radius, 6.0 * settings.cloud_pitch), settings)
+    station = measure_growing(cloud, frame, max(radius, 8.0 * settings.cloud_pitch), settings)
     if station is None:
         return None
     found = station.frame
     if found.turn[0] < settings.min_angle or station.sigma > settings.cloud_pitch:
         return None
-    if np.linalg.norm(_gap(found, at)) > (within or max(radius, 4.0 * settings.cloud_pitch)):
+    if _gap(station, at) > (within or max(radius, 4.0 * settings.cloud_pitch)):
         return None
     if along is not None:
         if abs(float(found.tangent[0] @ along)) < np.cos(np.radians(40.0)):
@@ -177,10 +181,17 @@ def measure_growing(
         reach *= _GROWTH
 
 
-def _gap(frame: Frames, at: np.ndarray) -> np.ndarray:
-    """Vector from the edge's tangent line to the click."""
-    offset = at - frame.origin[0]
-    return offset - (offset @ frame.tangent[0]) * frame.tangent[0]
+def _gap(station: Station, at: np.ndarray) -> float:
+    """Distance of the click from the edge's tangent line, mm."""
+    offset = at - station.frame.origin[0]
+    return float(np.linalg.norm(np.cross(offset, station.frame.tangent[0])))
+
+
+def _alike(one: Frames, other: Frames) -> bool:
+    """Whether two proposals would lead to the same measurement."""
+    same = np.einsum("ki,ki->k", one.sides[0], other.sides[0])
+    crossed = np.einsum("ki,ki->k", one.sides[0], other.sides[0, ::-1])
+    return bool(max(same.min(), crossed.min()) > np.cos(0.1))
 
 
 def _normals(cloud: PointCloud, points: np.ndarray) -> np.ndarray:

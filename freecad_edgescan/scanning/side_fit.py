@@ -21,16 +21,21 @@ from scipy import sparse
 
 from .section import SectionPoints
 
-BLOCKS = 12
+BLOCKS = 14
+# Blocks are narrow near the edge, where a rounding begins somewhere, and wide away from it.
+BLOCK_EDGES = (np.arange(BLOCKS + 1) / BLOCKS) ** 1.5
 _TERMS = 4
 _PAIRS = np.triu_indices(_TERMS + 1)
 _SQUARE = np.zeros((_TERMS + 1, _TERMS + 1), dtype=np.int64)
 _SQUARE[_PAIRS] = np.arange(len(_PAIRS[0]))
 _SQUARE = np.maximum(_SQUARE, _SQUARE.T)
 
+# How much a stretch that explains few of the points must know better (a power of their share).
+_COVERAGE = 4
+
 # Standard deviations of the coefficients before anything is measured, in units of the reach:
 # they keep thin support from giving wild extrapolations.
-PRIOR_SIGMA = np.array([1.0, 0.7, 0.8, 0.3])
+PRIOR_SIGMA = np.array([1.0, 0.7, 0.3, 0.3])
 
 
 @dataclass(frozen=True)
@@ -59,12 +64,12 @@ class SideFits:
     @property
     def begins(self) -> np.ndarray:
         """Distance from the edge where the stretch begins, (m, 2) mm."""
-        return self.stretch[..., 0] * (self.reach / BLOCKS)
+        return self.reach * BLOCK_EDGES[self.stretch[..., 0]]
 
     @property
     def ends(self) -> np.ndarray:
         """Distance from the edge where the stretch ends, (m, 2) mm."""
-        return self.stretch[..., 1] * (self.reach / BLOCKS)
+        return self.reach * BLOCK_EDGES[self.stretch[..., 1]]
 
     def residuals(self, points: SectionPoints) -> np.ndarray:
         """Height of the points above their own side's fit, (n,) mm."""
@@ -82,7 +87,7 @@ def block_moments(points: SectionPoints, sections: int, reach: float) -> np.ndar
     The last axis holds the upper triangle of the products of (1, s, (s²+n²)/2, u, n).
     """
     away, height, along = (value / reach for value in (points.away, points.height, points.along))
-    block = np.floor(away * BLOCKS).astype(np.int64)
+    block = block_of(away)
     inside = (block >= 0) & (block < BLOCKS)
     rows = np.stack(
         [np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height], axis=1
@@ -97,9 +102,14 @@ def block_moments(points: SectionPoints, sections: int, reach: float) -> np.ndar
     return np.asarray(gather @ products).reshape(sections, 2, BLOCKS, -1)
 
 
+def block_of(away: np.ndarray) -> np.ndarray:
+    """Block of distances from the edge in units of the reach; −1 or BLOCKS when outside."""
+    return np.searchsorted(BLOCK_EDGES, away, side="right") - 1
+
+
 def block_counts(points: SectionPoints, sections: int, reach: float) -> np.ndarray:
     """Number of points in each block of each side, (m, 2, BLOCKS)."""
-    block = np.floor(points.away * (BLOCKS / reach)).astype(np.int64)
+    block = block_of(points.away / reach)
     inside = (block >= 0) & (block < BLOCKS)
     bins = ((points.owner * 2 + points.side) * BLOCKS + block)[inside]
     return np.bincount(bins, minlength=sections * 2 * BLOCKS).reshape(sections, 2, BLOCKS)
@@ -164,9 +174,13 @@ def choose_stretches(
     populated = np.sum(within & filled[:, :, None, :], axis=-1)
     enough = (count >= 8) & (populated >= 2) & filled[..., first] & filled[..., last - 1]
     smooth = (ratio <= 1.25 * (1.0 + 3.0 * np.sqrt(2.0 / degrees))) & (worst <= 3.3)
+    # A rounding is a smooth stretch too; its curvature, and the points it leaves over, tell.
+    bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
+    smooth &= np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
     if doubtful is not None:
         smooth &= ~np.any(within & doubtful[:, :, None, :], axis=-1)
-    extrapolated = variance[..., None] * inverse[..., 0, 0]
+    share = count / np.maximum(blocks[..., 0].sum(axis=-1), 1.0)[..., None]
+    extrapolated = variance[..., None] * inverse[..., 0, 0] / np.maximum(share, 0.05) ** _COVERAGE
     # A stretch that is not smooth is only taken when none is, and then the least bad one.
     badness = np.maximum(np.maximum(ratio, (worst / 3.3) ** 2), 1.0)
     score = np.where(smooth, extrapolated, 1e6 * extrapolated * badness**2)
