@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A picture of scanned edges over their cloud, by matplotlib, which comes with FreeCAD."""
+"""A picture of scanned edges on their cloud, by matplotlib, which comes with FreeCAD."""
 
 from __future__ import annotations
 
@@ -12,16 +12,19 @@ from numpy.typing import NDArray
 
 from ..cloud import PointCloud
 from ..scanning import ScannedEdge
+from .relief import Relief, relief
 
 __all__ = ["draw_edges"]
 
-MOST_DOTS = 40_000  # more only makes the picture slower
+Array = NDArray[np.float64]
+
+FROM_THE_CORNER = np.array([1.0, -1.2, 0.9])  # the view when the edges do not suggest one
 
 
 def draw_edges(cloud: PointCloud, edges: Sequence[ScannedEdge], path: str | Path) -> None:
-    """Draw the cloud in grey and each edge in its colour, seen along the cloud's least extent.
+    """Draw the cloud as a shaded relief and each edge in its colour, fainter where hidden.
 
-    Two views side by side: the whole cloud, and the surroundings of the edges.
+    Left the whole cloud, right the surroundings of the edges, both seen from the air side.
 
     Parameters
     ----------
@@ -44,35 +47,43 @@ def draw_edges(cloud: PointCloud, edges: Sequence[ScannedEdge], path: str | Path
         ) from None
     figure = Figure(figsize=(14, 7), dpi=110, layout="constrained")
     FigureCanvasAgg(figure)
-    for number, region in enumerate((cloud.bounds, _surroundings(cloud, edges))):
-        axes = figure.add_subplot(1, 2, number + 1, projection="3d")
-        _draw_region(axes, cloud, edges, region)
+    direction = _view(edges)
+    for axes, points in zip(
+        figure.subplots(1, 2), (cloud.points, _surroundings(cloud, edges)), strict=True
+    ):
+        _draw(axes, relief(points, cloud.pitch, direction), edges)
     figure.axes[0].legend(loc="upper left")
     figure.savefig(path)
 
 
-def _surroundings(
-    cloud: PointCloud, edges: Sequence[ScannedEdge]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Box round all edge points with a margin."""
-    found = np.vstack([edge.points for edge in edges] or [cloud.points])
-    margin = max(5 * cloud.pitch, 0.05 * float(np.ptp(found, axis=0).max()))
-    return found.min(axis=0) - margin, found.max(axis=0) + margin
+def _view(edges: Sequence[ScannedEdge]) -> Array:
+    """Direction to look from: the air side of the edges, where they agree on one."""
+    normals = [edge.normals.reshape(-1, 3) for edge in edges]
+    mean: Array = np.vstack(normals).mean(axis=0) if normals else np.zeros(3)
+    if np.linalg.norm(mean) < 0.4:
+        return FROM_THE_CORNER
+    return np.asarray(mean / np.linalg.norm(mean) + 0.25 * FROM_THE_CORNER)
 
 
-def _draw_region(
-    axes: Any,
-    cloud: PointCloud,
-    edges: Sequence[ScannedEdge],
-    region: tuple[NDArray[np.float64], NDArray[np.float64]],
-) -> None:
-    lowest, highest = region
-    inside = np.flatnonzero(((cloud.points >= lowest) & (cloud.points <= highest)).all(axis=1))
-    step = max(1, len(inside) // MOST_DOTS)
-    dots = cloud.points[inside[::step]]
-    axes.scatter(*dots.T, s=0.4, c="0.6", linewidths=0, depthshade=False)
-    for number, edge in enumerate(edges, 1):
+def _surroundings(cloud: PointCloud, edges: Sequence[ScannedEdge]) -> Array:
+    """Points of the cloud near the edges."""
+    found = np.vstack([edge.points for edge in edges]) if edges else cloud.points
+    lowest, highest = found.min(axis=0), found.max(axis=0)
+    margin = max(8 * cloud.pitch, 0.12 * float((highest - lowest).max()))
+    points = cloud.points
+    inside = ((points >= lowest - margin) & (points <= highest + margin)).all(axis=1)
+    return points[inside] if inside.any() else points
+
+
+def _draw(axes: Any, seen: Relief, edges: Sequence[ScannedEdge]) -> None:
+    axes.imshow(seen.shading(), origin="lower", extent=seen.extent, cmap="gray", vmin=0.0, vmax=1.0)
+    for number, edge in enumerate(edges):
         points = np.vstack([edge.points, edge.points[:1]]) if edge.closed else edge.points
-        axes.plot(*points.T, lw=2, label=f"edge {number}", zorder=10)
-    axes.set_box_aspect(np.maximum(highest - lowest, 1e-9))
-    axes.set(xlabel="x, mm", ylabel="y, mm", zlabel="z, mm")
+        right, up, _ = seen.project(points).T
+        hidden = ~seen.visible(points)
+        colour = f"C{number % 10}"
+        axes.plot(right, up, color=colour, lw=1, alpha=0.35)
+        axes.plot(
+            np.where(hidden, np.nan, right), up, color=colour, lw=2, label=f"edge {number + 1}"
+        )
+    axes.set(xlabel="mm", ylabel="mm")
