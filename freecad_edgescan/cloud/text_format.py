@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import codecs
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 
@@ -98,20 +98,20 @@ def _encoding(head: bytes) -> str:
 
 
 def _layout(lines: list[str], name: str) -> _Layout:
-    columns = (0, 1, 2)
+    titles: list[str] = []
     named = False
     counted = False
     for header, line in enumerate(lines[:LONGEST_HEADER]):
         words = _words(line)
         if not words:
             continue
-        if holds_data(line) and _is_number(words[0].split()[0].rstrip(",") if words[0] else ""):
+        if holds_data(line) and _begins_with_number(words[0]):
             if counted or not line.strip().isdigit():
-                return _Layout(header, named, _row(lines[header:], columns))
+                return _Layout(header, named, _row(lines[header:], titles))
             counted = True  # a number alone in the first line: how many points follow
             continue
         named = named or holds_data(line)
-        columns = _named_columns(words) or columns
+        titles = words if {"x", "y", "z"} <= set(_names(words)) else titles
     shown = next((line.strip()[:60] for line in lines if line.strip()), "")
     raise ValueError(
         f"{name} has no line of numbers x y z"
@@ -120,15 +120,20 @@ def _layout(lines: list[str], name: str) -> _Layout:
     )
 
 
-def _row(lines: list[str], columns: tuple[int, int, int]) -> Row:
+def _row(lines: list[str], titles: list[str]) -> Row:
     sample = [line for line in lines if holds_data(line)][:SAMPLE]
     if ";" in sample[0]:
-        return Row(columns, ";", decimal_comma=True)
-    if not any("," in line for line in sample):
-        return Row(columns)
-    if all(_has_decimal_commas(line) for line in sample):
-        return Row(columns, None, decimal_comma=True)
-    return Row(columns, ",")
+        row = Row(separator=";", decimal_comma=True)
+    elif not any("," in line for line in sample):
+        row = Row()
+    elif all(_has_decimal_commas(line) for line in sample):
+        row = Row(decimal_comma=True)
+    else:
+        row = Row(separator=",")
+    if not titles or len(titles) > len(row.fields(sample[0])):
+        return row
+    names = _names(titles)
+    return replace(row, columns=(names.index("x"), names.index("y"), names.index("z")))
 
 
 def _has_decimal_commas(line: str) -> bool:
@@ -137,18 +142,19 @@ def _has_decimal_commas(line: str) -> bool:
     return len(words) >= 3 and all(_WITH_DECIMAL_COMMA.fullmatch(word) for word in words)
 
 
-def _named_columns(words: list[str]) -> tuple[int, int, int] | None:
-    """Places of x, y and z among the titles, if they are there."""
-    names = [word.strip("\"'[]()").lower() for word in words]
-    if not {"x", "y", "z"} <= set(names):
-        return None
-    return names.index("x"), names.index("y"), names.index("z")
+def _names(titles: list[str]) -> list[str]:
+    return [title.strip("\"'[]()").lower() for title in titles]
 
 
 def _words(line: str) -> list[str]:
     text = line.strip().lstrip("#/% ")
     separator = next((mark for mark in (";", ",", "\t") if mark in text), None)
     return [word.strip() for word in text.split(separator)] if text else []
+
+
+def _begins_with_number(text: str) -> bool:
+    words = text.replace(",", ".").split()
+    return bool(words) and _is_number(words[0])
 
 
 def _is_number(word: str) -> bool:
