@@ -149,8 +149,9 @@ def _sentence(error: BaseException) -> str:
     return str(error) or f"{type(error).__name__}; --debug tells where."
 
 
-def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
-    print(f"edgescan: {message}", file=sys.stderr)
+def _show_warning(message: Warning | str, category: type[Warning], *_: Any, **__: Any) -> None:
+    if issubclass(category, UserWarning):  # the others speak to programmers
+        print(f"edgescan: {message}", file=sys.stderr)
 
 
 # ---------------------------------------------------------------- sub-commands
@@ -218,7 +219,7 @@ def _scan_targets(
     cloud: PointCloud, targets: Sequence[tuple[Any, Any]], parameters: Any
 ) -> tuple[dict[int, ScannedEdge], bool]:
     """Edges by their number; a target that fails is told and leaves the others alone."""
-    from freecad_edgescan.scanning import ScanError, scan_edge
+    from freecad_edgescan.scanning import scan_edge
 
     edges: dict[int, ScannedEdge] = {}
     for number, (at, gate) in enumerate(targets, 1):
@@ -227,7 +228,7 @@ def _scan_targets(
                 edges[number] = scan_edge(
                     cloud, at=at, gate=gate, parameters=parameters, progress=progress
                 )
-            except ScanError as error:
+            except ValueError as error:
                 progress.clear()
                 print(f"edgescan: edge {number}: {error}", file=sys.stderr)
         if progress.cancelled:
