@@ -91,7 +91,7 @@ class NurbsFace:
             moved = self._clipped(uv[active] + step)
             change = np.abs(moved - uv[active]).max(axis=1, initial=0.0)
             uv[active] = moved
-            active = active[change > 1e-12 * (self._high - self._low).max()]
+            active = active[change > 1e-9 * (self._high - self._low).max()]
             if not len(active):
                 break
         place, normal = self.at(uv)

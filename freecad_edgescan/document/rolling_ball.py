@@ -162,17 +162,17 @@ def _on_cap(axis: Array, lowest: float, count: int, rng: np.random.Generator) ->
 
 
 def without_collisions(
-    contacts: Contacts, faces: Sequence[NurbsFace], pitch: float, radius: float
+    contacts: Contacts, faces: Sequence[NurbsFace], pitch: float, chord: float, radius: float
 ) -> Contacts:
     """Leave out the centres closer than the radius to any place of the shape.
 
     The triangles round the nearest of many samples are measured exactly, so that only the
-    triangles' own error (a hundredth of the pitch on curved faces) remains.
+    triangles' own error (`chord`, mm, on curved faces) remains.
     """
     triangles = np.vstack([face.triangles for face in faces])
     samples, owner = _samples(triangles, pitch)
     tree = cKDTree(samples)
-    limit = radius * (1.0 - _DEPTH) - 0.015 * pitch
+    limit = radius * (1.0 - _DEPTH) - 1.5 * chord
     kept = np.ones(len(contacts), dtype=bool)
     count = min(_NEIGHBOURS, len(samples))
     for low in range(0, len(contacts), 20_000):

@@ -27,7 +27,7 @@ __all__ = ["simulate_cloud"]
 Array = NDArray[np.float64]
 
 _SURPLUS = 1.8  # candidates for each point wanted: refusing the close ones takes about 40 %
-_CHORD = 0.01  # of the pitch
+_CHORD = 0.03  # of the pitch
 _MIN_ANGLE = 0.26
 
 
@@ -68,7 +68,7 @@ def simulate_cloud(
     edges = true_edges(exact, _MIN_ANGLE)
     if probe_radius > 0.0:
         contacts = ball_contacts(exact, faces, edges, density, probe_radius, rng)
-        contacts = without_collisions(contacts, faces, pitch, probe_radius)
+        contacts = without_collisions(contacts, faces, pitch, _CHORD * pitch, probe_radius)
         if len(contacts) == 0:
             raise ValueError(
                 f"A ball of radius {probe_radius:g} mm fits nowhere on this shape; "
