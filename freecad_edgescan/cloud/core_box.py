@@ -166,25 +166,26 @@ class CoreBox:
 
         The point lies on the plane, half an amplitude from the rim; across leads to the pipe.
         """
-        return tuple(self._beside(edge, amplitude, END_MARGIN) for edge in self.edges)
+        return tuple(
+            self._beside(k, amplitude, END_MARGIN / edge.length)
+            for k, edge in enumerate(self.edges)
+        )
 
     def gates(self, amplitude: float) -> tuple[tuple[Array, Array], ...]:
         """For each rim where a scan ends: point and direction across, like those of the starts."""
         return tuple(
-            self._beside(edge, amplitude, edge.length - END_MARGIN)[:2] for edge in self.edges
+            self._beside(k, amplitude, 1 - END_MARGIN / edge.length)[:2]
+            for k, edge in enumerate(self.edges)
         )
 
-    def _beside(self, edge: TrueEdge, amplitude: float, along: float) -> tuple[Array, Array, Array]:
-        """Point on the plane half an amplitude beside a rim, at a length along it."""
+    def _beside(self, k: int, amplitude: float, share: float) -> tuple[Array, Array, Array]:
+        """Point on the plane half an amplitude beside rim k, at a share of its length."""
         if not 0.0 < amplitude < np.inf:
             raise ValueError(f"The amplitude is {amplitude} mm; give a positive number.")
-        at = round(along / edge.length * (len(edge) - 1))
+        edge = self.edges[k]
+        at = round(share * (len(edge) - 1))
         tangent = edge.tangents[at]
-        across = np.array(
-            [tangent[1], -tangent[0], 0.0]
-        )  # to the right, where a left rim's pipe is
-        if int(edge.name.split()[-1]) % 2 == 0:
-            across = -across
+        across = SIDES[k % 2] * np.array([tangent[1], -tangent[0], 0.0])
         point = edge.points[at] - amplitude / 2 * across
         return point + np.array([0.0, 0.0, self.probe_radius]), across, tangent
 
