@@ -92,5 +92,5 @@ def choose_parameters(
         approach=approach,
         cloud_pitch=pitch if given.cloud_pitch is None else given.cloud_pitch,
     )
-    settings = PatchSettings(0.5 * amplitude, edge_pitch, pitch, noise, min_angle)
+    settings = PatchSettings(0.5 * amplitude, edge_pitch, pitch, noise, probe, min_angle)
     return Chosen(chosen, reasons, settings)

@@ -18,12 +18,23 @@ from scipy.ndimage import convolve1d, percentile_filter
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners
+from .patch_section import PatchSettings
 from .section import Frames, SectionPoints
-from .side_fit import SideFits, block_counts, block_moments, choose_stretches, fit_stretches
+from .side_fit import (
+    SideFits,
+    block_counts,
+    block_moments,
+    choose_stretches,
+    fit_summed,
+    shift_along,
+    sum_stretches,
+)
 from .strip import strip_points
 
 _POOLED = 4  # sections on each side that decide together
 _POOLED_CURVATURE = 8
+_WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
+_THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
 @dataclass(frozen=True)
@@ -42,18 +53,18 @@ class Measured:
 
 
 def measure_together(
-    cloud: PointCloud, frames: Frames, reach: float, half_width: float, noise: float, closed: bool
+    cloud: PointCloud, frames: Frames, settings: PatchSettings, noise: float, closed: bool
 ) -> Measured:
     """Measure all sections of an edge.
 
     Parameters
     ----------
     frames : (m) sections along the edge, see `reference_curve.sections_along`
-    reach, half_width : of a slab, across and along the edge, mm
     noise : standard deviation of the points along the normal, mm
     """
+    reach, half_width = settings.reach, settings.half_width
     everything = strip_points(cloud, frames, reach, half_width, closed)
-    plausible = _plausible(frames, everything, cloud.pitch, noise)
+    plausible = _plausible(frames, everything, settings, noise)
     points = everything[plausible]
     mode = "wrap" if closed else "constant"
     pooled = _pooled_fits(points, frames, reach, noise, mode, None)
@@ -71,16 +82,78 @@ def measure_together(
     moments = block_moments(points[~removed], len(frames), reach)
     stretch = _agreed_stretches(pooled.stretch, "wrap" if closed else "nearest")
     curvature, curvature_sigma = _shared_curvature(pooled, mode)
-    local = np.sqrt(pooled.variance) * reach
-    fits = fit_stretches(
-        moments, reach, np.maximum(local, 1e-6 * reach), stretch, curvature, curvature_sigma
+    local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
+    fits = _supplied_fits(
+        sum_stretches(moments, stretch),
+        replace(pooled, stretch=stretch),
+        (curvature, curvature_sigma),
+        half_width,
+        closed,
+        frames,
     )
-    # One section alone knows its own scatter badly; its neighbours' is the same.
-    fits = replace(fits, variance=pooled.variance, accepted=fits.accepted & pooled.accepted)
     gone = np.ones(len(everything.index), dtype=bool)
     gone[np.flatnonzero(plausible)[~removed]] = False
     outside = ~_in_stretch(everything, fits)
     return Measured(frames, everything, gone | outside, fits, local)
+
+
+def _supplied_fits(
+    own: np.ndarray,
+    pooled: SideFits,
+    curvature: tuple[np.ndarray, np.ndarray],
+    half_width: float,
+    closed: bool,
+    frames: Frames,
+) -> SideFits:
+    """Fit each section on its own points, and on its neighbours' too where these are too few."""
+    reach = pooled.reach
+    local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
+    spacing = float(np.median(np.linalg.norm(np.diff(frames.origin, axis=0), axis=1)))
+    # Slabs wider than the spacing share points; sums over neighbours must not count them twice.
+    overlap = max(1.0, 2.0 * half_width / spacing)
+
+    def fit(summed: np.ndarray) -> SideFits:
+        fits = fit_summed(summed, reach, local, pooled.stretch, *curvature)
+        # One section alone knows its own scatter badly; its neighbours' is the same.
+        return replace(fits, variance=pooled.variance, accepted=fits.accepted & pooled.accepted)
+
+    fits, summed, width = fit(own), own, 0
+    for wider in _WIDER:
+        thin = fits.inverse[..., 0, 0] > _THIN
+        if not thin.any() or wider >= len(own) // 2:
+            break
+        steps = [sign * k for k in range(width + 1, wider + 1) for sign in (-1, 1)]
+        summed = summed + sum(
+            shift_along(_neighbour(own, step, closed), step * spacing / reach) for step in steps
+        ) / overlap
+        width = wider
+        wide = fit(summed)
+        fits = SideFits(
+            reach,
+            *(
+                np.where(thin.reshape(thin.shape + (1,) * (new.ndim - 2)), new, old)
+                for new, old in (
+                    (getattr(wide, name), getattr(fits, name))
+                    for name in (
+                        "coefficients",
+                        "inverse",
+                        "variance",
+                        "count",
+                        "stretch",
+                        "accepted",
+                    )
+                )
+            ),
+        )
+    return fits
+
+
+def _neighbour(values: np.ndarray, step: int, closed: bool) -> np.ndarray:
+    """Values of the section a number of steps further; nothing beyond the ends."""
+    moved = np.roll(values, -step, axis=0)
+    if not closed:
+        moved[slice(-step, None) if step > 0 else slice(0, -step)] = 0.0
+    return moved
 
 
 def _pooled_fits(
@@ -93,7 +166,7 @@ def _pooled_fits(
 ) -> SideFits:
     moments = _pool(block_moments(points, len(frames), reach), _POOLED, mode)
     return choose_stretches(
-        moments, reach, noise, frames.curvature * reach, slack=0.05, doubtful=doubtful
+        moments, reach, noise, frames.curvature * reach, slack=0.05, scatter=1.8, doubtful=doubtful
     )
 
 
@@ -128,12 +201,13 @@ def _shared_curvature(pooled: SideFits, mode: str) -> tuple[np.ndarray, np.ndarr
 
 
 def _plausible(
-    frames: Frames, points: SectionPoints, cloud_pitch: float, noise: float
+    frames: Frames, points: SectionPoints, settings: PatchSettings, noise: float
 ) -> np.ndarray:
     """Points near enough to the surfaces that the walk has seen."""
     expected = 0.5 * frames.curvature[points.owner, points.side] * points.away**2
-    allowed = 4.0 * noise + 0.5 * cloud_pitch + 0.1 * points.away
-    return np.abs(points.height - expected) <= allowed
+    allowed = 4.0 * noise + 0.5 * settings.cloud_pitch + 0.1 * points.away
+    begins = frames.rolled_over(settings.probe_radius)[points.owner]
+    return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
 
 
 def _in_stretch(points: SectionPoints, fits: SideFits) -> np.ndarray:

@@ -29,9 +29,7 @@ def finish_edge(cloud: PointCloud, trace: Trace, chosen: Chosen) -> ScannedEdge:
     settings = chosen.settings
     noise = float(np.median([station.noise for station in trace.stations]))
     frames = sections_along(trace.stations, settings.edge_pitch, trace.closed)
-    measured = measure_together(
-        cloud, frames, settings.reach, settings.half_width, noise, trace.closed
-    )
+    measured = measure_together(cloud, frames, settings, noise, trace.closed)
     if not trace.closed:
         measured = _without_unsupported_ends(measured)
     frames = measured.frames

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
-from .corner import Corners, corners
+from .corner import corners
 from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
 from .side_fit import SideFits, block_counts, block_moments, choose_stretches
 from .stop import Stop
@@ -21,6 +21,7 @@ from .stop import Stop
 # A measured section that turns more than this against its prediction is measured once more.
 _REMEASURE_TURN = 0.06
 _MEASUREMENTS = 3
+_WIDER = (2.0, 4.0)  # of the slab, where it holds too few points
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,7 @@ class PatchSettings:
     edge_pitch : distance of the edge points
     cloud_pitch : distance of the cloud's points
     noise : standard deviation of the cloud's points along the normal
+    probe_radius : radius of the probe whose centres the cloud holds
     min_angle : least turn between the two sides, rad
     """
 
@@ -40,6 +42,7 @@ class PatchSettings:
     edge_pitch: float
     cloud_pitch: float
     noise: float
+    probe_radius: float = 0.0
     min_angle: float = 0.26
 
     @property
@@ -60,11 +63,24 @@ class PatchSection:
         self.settings = settings
 
     def measure(self, predicted: Frames, half_width: float) -> Station:
-        """Measure one edge point in the slab around a predicted section."""
+        """Measure one edge point in the slab around a predicted section.
+
+        Where the slab holds too few points to know the edge well, a wider one is tried.
+        """
+        best = self._measure_again(predicted, half_width)
+        for wider in _WIDER:
+            if best.stop is None and best.sigma < self.settings.noise + 0.05 * self.settings.cloud_pitch:
+                break
+            other = self._measure_again(predicted, wider * half_width)
+            if other.stop is None and (best.stop is not None or other.sigma < 0.7 * best.sigma):
+                best = other
+        return best
+
+    def _measure_again(self, predicted: Frames, half_width: float) -> Station:
+        """Measure, and measure again from there while the section still turns."""
         frame = predicted
         for _ in range(_MEASUREMENTS):
-            points = self.slab(frame, half_width)
-            station, corner, fits = self._measure_once(frame, points)
+            station = self._measure_once(frame, self.slab(frame, half_width))
             if station.stop is not None:
                 return station
             turned = np.einsum("mki,mki->mk", station.frame.sides, frame.sides).min()
@@ -90,14 +106,12 @@ class PatchSection:
         found = section_points(frame, np.zeros(len(index), dtype=np.int64), index, points)
         return found[np.abs(found.along) <= half_width]
 
-    def _measure_once(
-        self, frame: Frames, points: SectionPoints
-    ) -> tuple[Station, Corners | None, SideFits | None]:
+    def _measure_once(self, frame: Frames, points: SectionPoints) -> Station:
         settings = self.settings
         kept = points[self._plausible(frame, points)]
         missing = Station(frame, stop=Stop.CLOUD_END if len(points.index) < 12 else Stop.CORNER)
         if min(np.bincount(kept.side, minlength=2)) < 6:
-            return missing, None, None
+            return missing
         fits = self._fit(frame, kept)
         residual = fits.residuals(kept)
         spread = np.sqrt(fits.variance[0]) * settings.reach
@@ -109,10 +123,10 @@ class PatchSection:
             left = block_counts(kept, len(frame), settings.reach)
             fits = self._fit(frame, kept, removed > 0.25 * (left + removed))
         if np.any(fits.count < 6) or not np.all(_reached(kept)):
-            return missing, None, None
+            return missing
         corner = corners(frame, fits)
         if not corner.found[0]:
-            return Station(frame, stop=Stop.LOST), None, None
+            return Station(frame, stop=Stop.LOST)
         measured = frames_from_sides(
             corner.point,
             corner.tangent,
@@ -128,7 +142,7 @@ class PatchSection:
             stop = Stop.SMOOTH
         elif not np.isfinite(sigma) or sigma > 0.5 * max(begins) + 2.0 * settings.cloud_pitch:
             stop = Stop.LOST
-        return Station(measured, sigma, noise, begins, stop), corner, fits
+        return Station(measured, sigma, noise, begins, stop)
 
     def _fit(
         self, frame: Frames, points: SectionPoints, doubtful: np.ndarray | None = None
@@ -145,7 +159,8 @@ class PatchSection:
         allowed = (
             4.0 * self.settings.noise + 0.5 * self.settings.cloud_pitch + 0.15 * points.away
         )
-        return (points.away > 0.0) & (np.abs(points.height - expected) <= allowed)
+        begins = frame.rolled_over(self.settings.probe_radius)[points.owner]
+        return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
 
 
 def _reached(points: SectionPoints) -> np.ndarray:

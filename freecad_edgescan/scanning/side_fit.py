@@ -127,6 +127,7 @@ def choose_stretches(
     curvature: np.ndarray,
     curvature_sigma: float | np.ndarray = PRIOR_SIGMA[2],
     slack: float = 0.3,
+    scatter: float = 1.25,
     doubtful: np.ndarray | None = None,
     shortest: int = 2,
 ) -> SideFits:
@@ -144,6 +145,7 @@ def choose_stretches(
     noise : standard deviation of the points along the normal, mm, one or (m, 2)
     curvature, curvature_sigma : expected curvature of each side (m, 2) and its sigma, times reach
     slack : systematic misfit of a block that is tolerated, in noise
+    scatter : variance of a stretch's points that is tolerated, in noise squared
     doubtful : (m, 2, BLOCKS) blocks that lost many of their points as outliers: where a rounding
         begins, the points that are left only look like the side
     """
@@ -173,7 +175,7 @@ def choose_stretches(
     )
     populated = np.sum(within & filled[:, :, None, :], axis=-1)
     enough = (count >= 8) & (populated >= 2) & filled[..., first] & filled[..., last - 1]
-    smooth = (ratio <= 1.25 * (1.0 + 3.0 * np.sqrt(2.0 / degrees))) & (worst <= 3.3)
+    smooth = (ratio <= scatter * (1.0 + 3.0 * np.sqrt(2.0 / degrees))) & (worst <= 3.3)
     # A rounding is a smooth stretch too; its curvature, and the points it leaves over, tell.
     bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
     smooth &= np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
@@ -199,23 +201,35 @@ def choose_stretches(
     )
 
 
-def fit_stretches(
-    moments: np.ndarray,
+def fit_summed(
+    summed: np.ndarray,
     reach: float,
-    noise: float | np.ndarray,
+    noise: np.ndarray,
     stretch: np.ndarray,
     curvature: np.ndarray,
-    curvature_sigma: float | np.ndarray,
+    curvature_sigma: np.ndarray,
 ) -> SideFits:
-    """Fit given stretches of blocks, (m, 2, 2) first and last (exclusive); see choose_stretches."""
-    sections = len(moments)
-    variance = np.broadcast_to(np.square(np.asarray(noise, dtype=float) / reach), (sections, 2))
+    """Fit normal equations (m, 2, 15) that were summed over stretches; see choose_stretches."""
+    variance = np.square(noise / reach)
+    coefficients, inverse, misfit, count = _solve(summed, variance, curvature, curvature_sigma)
+    spread = misfit / np.maximum(count - 3.0, 1.0)
+    return SideFits(reach, coefficients, inverse, spread, count, stretch, count >= 6)
+
+
+def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
+    """Normal equations of given stretches of blocks, (m, 2, 15)."""
     block = np.arange(BLOCKS)
     within = (block >= stretch[..., :1]) & (block < stretch[..., 1:])
-    summed = np.einsum("mkb,mkbq->mkq", within.astype(float), moments)
-    coefficients, inverse, misfit, count = _solve(summed, variance, curvature, curvature_sigma)
-    spread = np.maximum(misfit / np.maximum(count - 3.0, 1.0), 0.0)
-    return SideFits(reach, coefficients, inverse, spread, count, stretch, count >= 6)
+    return np.einsum("mkb,mkbq->mkq", within.astype(float), moments)
+
+
+def shift_along(summed: np.ndarray, distance: float) -> np.ndarray:
+    """Normal equations (…, 15) of points moved by a distance along the edge, in reaches."""
+    move = np.eye(_TERMS + 1)
+    move[3, 0] = distance
+    full = summed[..., _SQUARE]
+    moved = np.einsum("ij,...jk,lk->...il", move, full, move)
+    return moved[..., _PAIRS[0], _PAIRS[1]]
 
 
 def _solve(
