@@ -3,8 +3,10 @@
 
 from freecad_edgescan.geometry.bspline_curve import BSplineCurve
 from freecad_edgescan.geometry.circle import Circle, CircleFit, fit_circle
+from freecad_edgescan.geometry.curve_fit import fit_curve
 from freecad_edgescan.geometry.line import Line, LineFit, fit_line
 from freecad_edgescan.geometry.polyline import distance_to_polyline
+from freecad_edgescan.geometry.primitive_choice import simplest_curve
 
 __all__ = [
     "BSplineCurve",
@@ -14,5 +16,7 @@ __all__ = [
     "LineFit",
     "distance_to_polyline",
     "fit_circle",
+    "fit_curve",
     "fit_line",
+    "simplest_curve",
 ]
