@@ -1,2 +1,57 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Parametric FreeCAD objects and the bridge between numpy and FreeCAD, without a screen."""
+"""Parametric FreeCAD objects and the bridge between numpy and FreeCAD, without a screen.
+
+Coordinates in a document are true coordinates less the cloud's ``Origin``, which is zero unless
+the cloud lies far away. Clicks, starts, gates and shapes are in the document's coordinates;
+`points_of` and `export_step` give true ones.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from .arc_profile import make_arc_profile as make_arc_profile
+    from .bridge import points_of as points_of
+    from .cloud_cache import point_cloud as point_cloud
+    from .cloud_object import make_cloud as make_cloud
+    from .demo import make_demo as make_demo
+    from .export import export_step as export_step
+    from .native_edge import edge_shape as edge_shape
+    from .scanned_edge import make_scanned_edge as make_scanned_edge
+    from .sharp_edges import true_edges as true_edges
+    from .simulated_shape import simulate_cloud as simulate_cloud
+    from .sweeps import make_loft as make_loft
+    from .sweeps import make_sweep as make_sweep
+
+_HOME_OF = {
+    "edge_shape": "native_edge",
+    "export_step": "export",
+    "make_arc_profile": "arc_profile",
+    "make_cloud": "cloud_object",
+    "make_demo": "demo",
+    "make_loft": "sweeps",
+    "make_scanned_edge": "scanned_edge",
+    "make_sweep": "sweeps",
+    "point_cloud": "cloud_cache",
+    "points_of": "bridge",
+    "simulate_cloud": "simulated_shape",
+    "true_edges": "sharp_edges",
+}
+
+__all__ = [*_HOME_OF]
+
+
+def __getattr__(name: str) -> Any:
+    """Import the module that defines `name`, and answer the name (PEP 562)."""
+    if name not in _HOME_OF:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{_HOME_OF[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """Names of this package's API besides what is loaded already."""
+    return sorted({*globals(), *__all__})

@@ -120,7 +120,9 @@ class NurbsFace:
             before[:, axis], after[:, axis] = low[:, axis], high[:, axis]
             width = (after - before)[:, axis, None]
             grown.append(tangent + offset * (self.at(after)[1] - self.at(before)[1]) / width)
-        return np.linalg.norm(np.cross(*grown), axis=1) / np.where(area > 0.0, area, 1.0)
+        return np.linalg.norm(np.cross(grown[0], grown[1]), axis=1) / np.where(
+            area > 0.0, area, 1.0
+        )
 
     def _evaluate(self, uv: Array) -> tuple[Array, Array, Array]:
         """Places and both first derivatives (n, 3)."""

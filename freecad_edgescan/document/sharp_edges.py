@@ -98,7 +98,7 @@ def _sampled(name: str, edge: Any, faces: list[tuple[Any, str]]) -> dict[str, An
     tangents *= np.sign(np.sum(tangents[:-1] * np.diff(points, axis=0)) or 1.0)
     normals = [_normals(face, edge, points) for face, _ in faces]
     turn = np.arctan2(
-        np.linalg.norm(np.cross(*normals), axis=1), np.einsum("ij,ij->i", *normals)
+        np.linalg.norm(np.cross(normals[0], normals[1]), axis=1), np.einsum("ij,ij->i", *normals)
     )
     inwards = np.cross(normals[0], tangents)
     if faces[0][1] == "Reversed":

@@ -20,7 +20,7 @@ from ..cloud.simulated_cloud import SimulatedCloud
 from .contacts import Contacts
 from .nurbs_face import NurbsFace
 from .rolling_ball import ball_contacts, without_collisions
-from .true_edges import true_edges
+from .sharp_edges import true_edges
 
 __all__ = ["simulate_cloud"]
 
@@ -52,8 +52,8 @@ def simulate_cloud(
 
     Returns
     -------
-    SimulatedCloud with ``labels`` (n,), the number (from 0) of each point's face in ``shape.Faces`` (that
-    of the nearer face for a ball on an edge), and ``edges``, ``true_edges(shape, 0.26)``.
+    SimulatedCloud with ``labels`` (n,), the number (from 0) of each point's face in ``shape.Faces``
+    (that of the nearer face for a ball on an edge), and ``edges``, ``true_edges(shape, 0.26)``.
 
     Raises
     ------
@@ -76,10 +76,7 @@ def simulate_cloud(
             )
     else:
         contacts = Contacts.join(
-            [
-                Contacts.on_face(face, label, density, 0.0, rng)
-                for label, face in enumerate(faces)
-            ]
+            [Contacts.on_face(face, label, density, 0.0, rng) for label, face in enumerate(faces)]
         )
     contacts = contacts.taken(rng.permutation(len(contacts)))
     wanted = round(len(contacts) / _SURPLUS)
