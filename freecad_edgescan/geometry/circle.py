@@ -111,7 +111,7 @@ def fit_circle(points: ArrayLike, sigma: ArrayLike | None = None) -> CircleFit:
         radial = power / (1.0 + np.sqrt(np.maximum(1.0 + bend * power, 0.0)))
         return np.concatenate([radial / deviation, axial / deviation])
 
-    solution = least_squares(misfit, np.zeros(6), method="trf", xtol=1e-12, ftol=1e-12)
+    solution = least_squares(misfit, np.zeros(6), method="lm", max_nfev=700)
     origin, axes, bend = moved(solution.x)
     if bend < 0.0:
         axes, bend = axes * [[-1.0], [-1.0], [1.0]], -bend

@@ -53,6 +53,7 @@ def simplest_curve(
     """
     x = np.asarray(points, dtype=float)
     deviation = sigmas_of(x, sigma)
+    x, deviation = x[np.isfinite(deviation)], deviation[np.isfinite(deviation)]
     if not closed and len(x) > 1 and np.any(x != x[0]):
         line = fit_line(x, deviation)
         if _explains(line.residuals, deviation, line.freedom, closed):

@@ -64,8 +64,8 @@ class WeightedPoints:
         different, least = len(np.unique(x, axis=0)), 3 if closed else 2
         if different < least:
             raise ValueError(
-                f"{different} different points are not enough for a "
-                f"{'closed' if closed else 'open'} curve; give at least {least}."
+                f"{different} different points are not enough for "
+                f"{'a closed' if closed else 'an open'} curve; give at least {least}."
             )
         calm = _calmed(x, deviation[keep], closed)
         chords = np.linalg.norm(np.roll(calm, -1, axis=0) - calm, axis=1)
