@@ -9,12 +9,15 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from .errors import ScanError
+from .evened import one_per_cell
 from .parameters import ScanParameters
 from .patch_section import PatchSettings
 
 MIN_ANGLE = 0.26  # rad, least turn between the two sides of an edge
 _AMPLITUDE = 44.0  # pitches
 _EDGE_PITCH = 2.0  # pitches
+_LEAST_NOISE = 0.03  # pitches: below it a surface's own form matters more than noise
+_NEIGHBOURHOOD = 15.0  # pitches round the start in which the pitch is measured
 _FEWEST_PITCHES = 6.0  # an amplitude below this has no room for two sides
 
 
@@ -25,6 +28,17 @@ class Chosen:
     parameters: ScanParameters
     reasons: dict[str, str]
     settings: PatchSettings
+
+    def with_reach(self, reach: float) -> Chosen:
+        """The same with the reach that knows the edge best, unless the amplitude was given."""
+        if self.reasons.get("amplitude") == "given" or reach >= self.settings.reach:
+            return self
+        reason = "farther from the edge the two sides do not tell more about it"
+        return Chosen(
+            replace(self.parameters, amplitude=2.0 * reach),
+            {**self.reasons, "amplitude": reason},
+            self.settings.with_reach(reach),
+        )
 
 
 def choose_parameters(
@@ -42,10 +56,7 @@ def choose_parameters(
     ScanError: values that cannot work with this cloud or with each other.
     """
     reasons = {name: "given" for name in given.given()}
-    pitch = float(np.sqrt(np.prod(cloud.local_pitch(near[None])[0])))
-    if not np.isfinite(pitch) or pitch <= 0:
-        pitch = cloud.pitch
-    pitch = float(np.clip(pitch, 0.5 * cloud.pitch, 2.0 * cloud.pitch))
+    pitch = _pitch_around(cloud, near)
     probe = given.probe_radius
     if probe is None:
         probe = cloud.probe_radius
@@ -82,7 +93,7 @@ def choose_parameters(
             f"The probe radius of {probe:g} mm is larger than what is to be scanned (amplitude "
             f"{amplitude:.3g} mm, cloud {extent:.3g} mm across); check the radius and its unit."
         )
-    noise = max(cloud.noise, 2e-3 * pitch)
+    noise = max(cloud.noise, _LEAST_NOISE * pitch)
     reasons["cloud_pitch"] = "measured near the start" if given.cloud_pitch is None else "given"
     chosen = replace(
         given,
@@ -94,3 +105,13 @@ def choose_parameters(
     )
     settings = PatchSettings(0.5 * amplitude, edge_pitch, pitch, noise, probe, min_angle)
     return Chosen(chosen, reasons, settings)
+
+
+def _pitch_around(cloud: PointCloud, near: np.ndarray) -> float:
+    """Pitch of the surfaces round a place, mm, by area: scans crowd points on roundings."""
+    index = cloud.tree.query_ball_point(near, _NEIGHBOURHOOD * cloud.pitch)
+    points = one_per_cell(cloud.points[np.asarray(index, dtype=np.int64)], 3.0 * cloud.pitch)
+    if len(points) < 5:
+        return cloud.pitch
+    local = np.sqrt(np.prod(cloud.local_pitch(points[:100]), axis=1))
+    return float(np.clip(np.nanpercentile(local, 70), 0.3 * cloud.pitch, 4.0 * cloud.pitch))

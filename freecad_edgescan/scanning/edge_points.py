@@ -28,6 +28,7 @@ from .side_fit import (
     fit_summed,
     shift_along,
     sum_stretches,
+    without_crowds,
 )
 from .strip import strip_points
 
@@ -67,7 +68,7 @@ def measure_together(
     plausible = _plausible(frames, everything, settings, noise)
     points = everything[plausible]
     mode = "wrap" if closed else "constant"
-    pooled = _pooled_fits(points, frames, reach, noise, mode, None)
+    pooled = _pooled_fits(points, frames, settings, noise, mode, None)
     removed = np.zeros(len(points.index), dtype=bool)
     for _ in range(2):
         spread = np.sqrt(pooled.variance) * reach
@@ -77,9 +78,9 @@ def measure_together(
         left = block_counts(points[~removed], len(frames), reach)
         lost, left = (_pool(x.astype(float), _POOLED, mode) for x in (lost, left))
         pooled = _pooled_fits(
-            points[~removed], frames, reach, noise, mode, lost > 0.25 * (lost + left)
+            points[~removed], frames, settings, noise, mode, lost > 0.25 * (lost + left)
         )
-    moments = block_moments(points[~removed], len(frames), reach)
+    moments = _evened_moments(points[~removed], frames, settings)
     stretch = _agreed_stretches(pooled.stretch, "wrap" if closed else "nearest")
     curvature, curvature_sigma = _shared_curvature(pooled, mode)
     local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
@@ -159,15 +160,23 @@ def _neighbour(values: np.ndarray, step: int, closed: bool) -> np.ndarray:
 def _pooled_fits(
     points: SectionPoints,
     frames: Frames,
-    reach: float,
+    settings: PatchSettings,
     noise: float,
     mode: str,
     doubtful: np.ndarray | None,
 ) -> SideFits:
-    moments = _pool(block_moments(points, len(frames), reach), _POOLED, mode)
+    reach = settings.reach
+    moments = _pool(_evened_moments(points, frames, settings), _POOLED, mode)
     return choose_stretches(
         moments, reach, noise, frames.curvature * reach, slack=0.05, scatter=1.8, doubtful=doubtful
     )
+
+
+def _evened_moments(
+    points: SectionPoints, frames: Frames, settings: PatchSettings
+) -> np.ndarray:
+    moments = block_moments(points, len(frames), settings.reach)
+    return without_crowds(moments, settings.reach, settings.half_width, settings.cloud_pitch)
 
 
 def _pool(values: np.ndarray, width: int, mode: str) -> np.ndarray:

@@ -15,7 +15,7 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .corner import corners
 from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
-from .side_fit import SideFits, block_counts, block_moments, choose_stretches
+from .side_fit import SideFits, block_counts, block_moments, choose_stretches, without_crowds
 from .stop import Stop
 
 # A measured section that turns more than this against its prediction is measured once more.
@@ -80,7 +80,7 @@ class PatchSection:
         """Measure, and measure again from there while the section still turns."""
         frame = predicted
         for _ in range(_MEASUREMENTS):
-            station = self._measure_once(frame, self.slab(frame, half_width))
+            station = self._measure_once(frame, half_width)
             if station.stop is not None:
                 return station
             turned = np.einsum("mki,mki->mk", station.frame.sides, frame.sides).min()
@@ -106,13 +106,14 @@ class PatchSection:
         found = section_points(frame, np.zeros(len(index), dtype=np.int64), index, points)
         return found[np.abs(found.along) <= half_width]
 
-    def _measure_once(self, frame: Frames, points: SectionPoints) -> Station:
+    def _measure_once(self, frame: Frames, half_width: float) -> Station:
         settings = self.settings
+        points = self.slab(frame, half_width)
         kept = points[self._plausible(frame, points)]
         missing = Station(frame, stop=Stop.CLOUD_END if len(points.index) < 12 else Stop.CORNER)
         if min(np.bincount(kept.side, minlength=2)) < 6:
             return missing
-        fits = self._fit(frame, kept)
+        fits = self._fit(frame, kept, half_width)
         residual = fits.residuals(kept)
         spread = np.sqrt(fits.variance[0]) * settings.reach
         limit = 3.5 * np.maximum(spread, settings.noise)[kept.side]
@@ -121,7 +122,7 @@ class PatchSection:
             removed = block_counts(kept[~inliers], len(frame), settings.reach)
             kept = kept[inliers]
             left = block_counts(kept, len(frame), settings.reach)
-            fits = self._fit(frame, kept, removed > 0.25 * (left + removed))
+            fits = self._fit(frame, kept, half_width, removed > 0.25 * (left + removed))
         if np.any(fits.count < 6) or not np.all(_reached(kept)):
             return missing
         corner = corners(frame, fits)
@@ -135,7 +136,7 @@ class PatchSection:
             fits.coefficients[..., 2] / settings.reach,
         )
         sigma = float(np.sqrt(np.linalg.eigvalsh(corner.covariance[0])[-1]))
-        noise = float(np.sqrt(np.mean(fits.variance[0])) * settings.reach)
+        noise = float(np.sqrt(np.min(fits.variance[0])) * settings.reach)
         begins = (float(fits.begins[0, 0]), float(fits.begins[0, 1]))
         stop = None
         if measured.turn[0] < settings.min_angle / 2.0:
@@ -145,10 +146,15 @@ class PatchSection:
         return Station(measured, sigma, noise, begins, stop)
 
     def _fit(
-        self, frame: Frames, points: SectionPoints, doubtful: np.ndarray | None = None
+        self,
+        frame: Frames,
+        points: SectionPoints,
+        half_width: float,
+        doubtful: np.ndarray | None = None,
     ) -> SideFits:
         reach = self.settings.reach
         moments = block_moments(points, len(frame), reach)
+        moments = without_crowds(moments, reach, half_width, self.settings.cloud_pitch)
         return choose_stretches(
             moments, reach, self.settings.noise, frame.curvature * reach, doubtful=doubtful
         )

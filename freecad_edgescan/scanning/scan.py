@@ -24,7 +24,7 @@ from .progress import Progress
 from .report import describe
 from .scanned_edge import ScannedEdge
 from .section import Station
-from .seed import find_seed, nearest_seed
+from .seed import Seed, find_seed, nearest_seed
 from .start import Gate, Start
 from .trace import LineGate, PointGate, Trace, trace_both_ways, trace_one_way, turned
 
@@ -74,9 +74,16 @@ def scan_edge(
     start = at if isinstance(at, Start) else None
     near = _near(cloud, at, parameters or ScanParameters())
     chosen = choose_parameters(cloud, near, parameters or ScanParameters(), min_angle)
-    first = _first_station(cloud, near, start, chosen)
+    seed = _seed(cloud, near, start, chosen)
+    first, chosen = seed.station, chosen.with_reach(seed.reach)
     section = PatchSection(cloud, chosen.settings)
     trace = _trace(section, first, start, near, gate, chosen, progress)
+    if len(trace.stations) < 3:
+        raise ScanError(
+            f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
+            f"{trace.stops[1].value} within two steps. Click farther from its ends, or give a "
+            "larger amplitude."
+        )
     edge = finish_edge(cloud, trace, chosen)
     return replace(edge, message=describe(edge, gate))
 
@@ -101,15 +108,15 @@ def _near(cloud: PointCloud, at: Point | Start, parameters: ScanParameters) -> n
     return cloud.points[index] if isinstance(at, Start) else wanted
 
 
-def _first_station(
+def _seed(
     cloud: PointCloud, near: np.ndarray, start: Start | None, chosen: Chosen
-) -> Station:
+) -> Seed:
     settings = chosen.settings
     along = None if start is None else start.along
     within = None if start is None else settings.reach
-    station = find_seed(cloud, near, settings, along, within)
-    if station is not None:
-        return station
+    seed = find_seed(cloud, near, settings, along, within)
+    if seed is not None:
+        return seed
     message = f"There is no edge within reach of ({_text(near)})"
     other = nearest_seed(cloud, near, settings, _LOOK_AROUND * settings.cloud_pitch)
     if other is None:
@@ -117,7 +124,7 @@ def _first_station(
             f"{message}: the surface is smooth for {_LOOK_AROUND * settings.cloud_pitch:.3g} mm "
             "round it. Click nearer to an edge."
         )
-    place = other.frame.origin[0]
+    place = other.station.frame.origin[0]
     raise ScanError(
         f"{message}: the surface is smooth there. The nearest edge found is "
         f"{np.linalg.norm(place - near):.3g} mm away, at ({_text(place)})."

@@ -9,19 +9,28 @@ without their rounding, that meet at an angle near the click.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from itertools import combinations
 
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
+from .evened import one_per_cell
 from .patch_section import PatchSection, PatchSettings
 from .section import Frames, Station, frames_from_sides
 
 _BALLS = ((4.0, 6.0, 9.0, 14.0), (20.0, 30.0))  # radii round the click, in pitches
 _NEIGHBOURS = 16
 _SAME_DIRECTION = np.cos(np.radians(14.0))
-_MOST_NORMALS = 500
 _GROWTH = 1.5  # of the reach, from one measurement to the next
+
+
+@dataclass(frozen=True)
+class Seed:
+    """The first station of an edge, and the reach (mm) that knows it best."""
+
+    station: Station
+    reach: float
 
 
 def find_seed(
@@ -30,7 +39,7 @@ def find_seed(
     settings: PatchSettings,
     along: np.ndarray | None = None,
     within: float | None = None,
-) -> Station | None:
+) -> Seed | None:
     """First station of an edge near a click, or None where no two sides meet.
 
     Parameters
@@ -42,23 +51,23 @@ def find_seed(
     """
     for balls in _BALLS:
         tried: list[Frames] = []
-        stations = []
+        seeds = []
         for ball in balls:
             radius = ball * settings.cloud_pitch
             for frame in proposals(cloud, at, radius, settings.min_angle):
                 if not any(_alike(frame, other) for other in tried):
                     tried.append(frame)
-                    stations.append(_confirmed(cloud, frame, at, radius, settings, along, within))
-        found = [station for station in stations if station is not None]
+                    seeds.append(_confirmed(cloud, frame, at, radius, settings, along, within))
+        found = [seed for seed in seeds if seed is not None]
         if found:
             # Small balls also propose tangent planes of a rounding; their edges are poorly known.
-            return min(found, key=lambda s: s.sigma * (1.0 + _gap(s, at) / settings.cloud_pitch))
+            return min(found, key=lambda seed: _doubt(seed.station, at, settings))
     return None
 
 
 def nearest_seed(
     cloud: PointCloud, at: np.ndarray, settings: PatchSettings, radius: float
-) -> Station | None:
+) -> Seed | None:
     """The nearest place round a click where an edge can be found, to tell the user."""
     index = np.array(cloud.tree.query_ball_point(at, radius), dtype=np.int64)
     if len(index) < 30:
@@ -70,9 +79,9 @@ def nearest_seed(
     sharp = sample[flatness > 2.0 * settings.noise + 0.15 * settings.cloud_pitch]
     order = np.argsort(np.linalg.norm(cloud.points[sharp] - at, axis=1))
     for candidate in sharp[order[:12]]:
-        station = find_seed(cloud, cloud.points[candidate], settings)
-        if station is not None:
-            return station
+        seed = find_seed(cloud, cloud.points[candidate], settings)
+        if seed is not None:
+            return seed
     return None
 
 
@@ -83,9 +92,7 @@ def proposals(
     index = np.array(cloud.tree.query_ball_point(at, radius), dtype=np.int64)
     if len(index) < 12:
         return []
-    if len(index) > _MOST_NORMALS:
-        index = np.random.default_rng(0).choice(index, size=_MOST_NORMALS, replace=False)
-    points = cloud.points[index]
+    points = one_per_cell(cloud.points[index], radius / 8.0)
     normals = _normals(cloud, points)
     weight = np.exp(-np.square(np.linalg.norm(points - at, axis=1) / (0.6 * radius)))
     planes = _shared_planes(points, normals, weight, max(0.8 * min_angle, np.radians(10.0)))
@@ -143,12 +150,12 @@ def _confirmed(
     settings: PatchSettings,
     along: np.ndarray | None,
     within: float | None,
-) -> Station | None:
+) -> Seed | None:
     """Measure a proposed section with growing reach; None when it is not an edge near the click."""
-    station = measure_growing(cloud, frame, max(radius, 8.0 * settings.cloud_pitch), settings)
-    if station is None:
+    seed = measure_growing(cloud, frame, max(radius, 8.0 * settings.cloud_pitch), settings)
+    if seed is None:
         return None
-    found = station.frame
+    station, found = seed.station, seed.station.frame
     if found.turn[0] < settings.min_angle or station.sigma > settings.cloud_pitch:
         return None
     if _gap(station, at) > (within or max(radius, 4.0 * settings.cloud_pitch)):
@@ -161,24 +168,31 @@ def _confirmed(
                 found.origin, -found.tangent, found.sides, found.bend, found.curvature
             )
             station = Station(flipped, station.sigma, station.noise, station.begins)
-    return station
+    return Seed(station, seed.reach)
 
 
 def measure_growing(
     cloud: PointCloud, frame: Frames, reach: float, settings: PatchSettings
-) -> Station | None:
-    """Measure a section again and again with growing reach, each time knowing the shape better."""
-    station = None
+) -> Seed | None:
+    """Measure with growing reach, each time knowing the shape better; keep the best known edge."""
+    best = None
     while True:
         reach = min(reach, settings.reach)
         section = PatchSection(cloud, settings.with_reach(reach))
         measured = section.measure(frame, settings.half_width)
         if measured.stop is not None:
-            return None
-        station, frame = measured, measured.frame
-        if reach >= settings.reach:
-            return station
+            return best
+        frame = measured.frame
+        if best is None or measured.sigma < 1.1 * best.station.sigma:
+            best = Seed(measured, reach)
+        if reach >= settings.reach or measured.sigma > 2.0 * best.station.sigma:
+            return best
         reach *= _GROWTH
+
+
+def _doubt(station: Station, at: np.ndarray, settings: PatchSettings) -> float:
+    """How badly an edge is known, and how far from the click it lies."""
+    return station.sigma * (1.0 + _gap(station, at) / settings.cloud_pitch)
 
 
 def _gap(station: Station, at: np.ndarray) -> float:
