@@ -268,12 +268,12 @@ def _write_edges(edges: dict[int, ScannedEdge], path: Path) -> None:
             print(f"Wrote {file}")
         return
     try:
-        from freecad_edgescan import document
+        from freecad_edgescan.document import export_step
     except ImportError as error:
         raise ValueError(
             f"{path} needs FreeCAD, which did not load ({error}); write .csv instead."
         ) from error
-    document.export_step(list(edges.values()), path)
+    export_step(list(edges.values()), path)
     print(f"Wrote {path}")
 
 

@@ -78,6 +78,20 @@ def test_scan_prints_a_table_and_writes_edge_points(capsys, roof_file: Path) -> 
     assert np.hypot(points[:, 1], points[:, 2]).max() < 0.05
 
 
+def test_scan_writes_native_edges_for_cad(capsys, roof_file: Path) -> None:
+    pytest.importorskip("FreeCAD")
+    file = roof_file.parent / "edge.step"
+    assert main(["scan", str(roof_file), "--at", "-1,0.2,0", "-o", str(file)]) == 0
+    assert "LINE(" in file.read_text()
+
+
+def test_scan_draws_a_picture(capsys, roof_file: Path) -> None:
+    pytest.importorskip("matplotlib")
+    file = roof_file.parent / "edge.png"
+    assert main(["scan", str(roof_file), "--at", "-1,0.2,0", "--picture", str(file)]) == 0
+    assert file.read_bytes().startswith(b"\x89PNG")
+
+
 def test_several_clicks_give_several_numbered_tables(capsys, roof_file: Path) -> None:
     words = ["--at", "-1,0.2,0", "--at", "3,0,0", "-o", str(roof_file.parent / "e.csv")]
     assert main(["scan", str(roof_file), *words]) == 0
