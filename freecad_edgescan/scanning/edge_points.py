@@ -21,6 +21,7 @@ from .corner import Corners, corners
 from .patch_section import PatchSettings
 from .section import Frames, SectionPoints
 from .side_fit import (
+    PRIOR_SIGMA,
     SideFits,
     block_counts,
     block_moments,
@@ -33,6 +34,8 @@ from .side_fit import (
 from .strip import strip_points
 
 _POOLED = 4  # sections on each side that decide together
+_CLEANINGS = 2
+_STRIDE = 3  # sections from one decision to the next
 _POOLED_CURVATURE = 8
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
@@ -70,7 +73,7 @@ def measure_together(
     mode = "wrap" if closed else "constant"
     pooled = _pooled_fits(points, frames, settings, noise, mode, None)
     removed = np.zeros(len(points.index), dtype=bool)
-    for _ in range(2):
+    for _ in range(_CLEANINGS):
         spread = np.sqrt(pooled.variance) * reach
         limit = 3.5 * np.maximum(spread, 0.5 * noise)
         removed = np.abs(pooled.residuals(points)) > limit[points.owner, points.side]
@@ -165,11 +168,31 @@ def _pooled_fits(
     mode: str,
     doubtful: np.ndarray | None,
 ) -> SideFits:
+    """Stretches decided on pooled points at every few sections, and fitted at every one."""
     reach = settings.reach
     moments = _pool(_evened_moments(points, frames, settings), _POOLED, mode)
-    return choose_stretches(
-        moments, reach, noise, frames.curvature * reach, slack=0.05, scatter=1.8, doubtful=doubtful
+    expected = frames.curvature * reach
+    few = np.arange(0, len(frames), _STRIDE)
+    chosen = choose_stretches(
+        moments[few],
+        reach,
+        noise,
+        expected[few],
+        slack=0.05,
+        scatter=1.8,
+        doubtful=None if doubtful is None else doubtful[few],
     )
+    nearest = np.minimum((np.arange(len(frames)) + _STRIDE // 2) // _STRIDE, len(few) - 1)
+    stretch = chosen.stretch[nearest]
+    fits = fit_summed(
+        sum_stretches(moments, stretch),
+        reach,
+        np.full(expected.shape, noise),
+        stretch,
+        expected,
+        np.full(expected.shape, PRIOR_SIGMA[2]),
+    )
+    return replace(fits, accepted=fits.accepted & chosen.accepted[nearest])
 
 
 def _evened_moments(

@@ -50,6 +50,11 @@ class PatchSettings:
         """Half the width of a slab, along the edge."""
         return max(0.75 * self.edge_pitch, 1.5 * self.cloud_pitch)
 
+    @property
+    def longest_step(self) -> float:
+        """Longest step of the walk; the edge points are laid one edge pitch apart afterwards."""
+        return float(np.clip(0.25 * self.reach, self.edge_pitch, 3.0 * self.edge_pitch))
+
     def with_reach(self, reach: float) -> PatchSettings:
         """The same settings with another reach."""
         return replace(self, reach=reach)
@@ -67,17 +72,17 @@ class PatchSection:
 
         Where the slab holds too few points to know the edge well, a wider one is tried.
         """
-        best = self._measure_again(predicted, half_width)
+        best = self.settle(predicted, half_width)
         for wider in _WIDER:
             if best.stop is None and best.sigma < self.settings.noise + 0.05 * self.settings.cloud_pitch:
                 break
-            other = self._measure_again(predicted, wider * half_width)
+            other = self.settle(predicted, wider * half_width)
             if other.stop is None and (best.stop is not None or other.sigma < 0.7 * best.sigma):
                 best = other
         return best
 
-    def _measure_again(self, predicted: Frames, half_width: float) -> Station:
-        """Measure, and measure again from there while the section still turns."""
+    def settle(self, predicted: Frames, half_width: float) -> Station:
+        """Measure in one slab, and again from what was found while the section still turns."""
         frame = predicted
         for _ in range(_MEASUREMENTS):
             station = self._measure_once(frame, half_width)

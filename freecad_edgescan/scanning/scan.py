@@ -141,11 +141,10 @@ def _trace(
     progress: Progress | None,
 ) -> Trace:
     settings = chosen.settings
+    steps = settings.edge_pitch, settings.half_width, settings.longest_step
     if gate is None:
         if start is None:
-            return trace_both_ways(
-                section, first, settings.edge_pitch, settings.half_width, progress
-            )
+            return trace_both_ways(section, first, *steps, progress=progress)
         arrived = None
     elif isinstance(gate, Gate):
         _check_gate_ahead(start, gate, settings.reach)
@@ -160,9 +159,7 @@ def _trace(
         arrived = PointGate(point, settings.reach)
         if start is None and (point - near) @ first.frame.tangent[0] < 0:
             first = turned(first)
-    return trace_one_way(
-        section, first, settings.edge_pitch, settings.half_width, arrived, progress
-    )
+    return trace_one_way(section, first, *steps, arrived, progress)
 
 
 def _check_gate_ahead(start: Start | None, gate: Gate, reach: float) -> None:

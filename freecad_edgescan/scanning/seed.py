@@ -22,7 +22,7 @@ from .section import Frames, Station, frames_from_sides
 _BALLS = ((4.0, 6.0, 9.0, 14.0), (20.0, 30.0))  # radii round the click, in pitches
 _NEIGHBOURS = 16
 _SAME_DIRECTION = np.cos(np.radians(14.0))
-_GROWTH = 1.5  # of the reach, from one measurement to the next
+_GROWTH = 1.7  # of the reach, from one measurement to the next
 
 
 @dataclass(frozen=True)
@@ -178,14 +178,16 @@ def measure_growing(
     best = None
     while True:
         reach = min(reach, settings.reach)
-        section = PatchSection(cloud, settings.with_reach(reach))
-        measured = section.measure(frame, settings.half_width)
-        if measured.stop is not None:
-            return best
-        frame = measured.frame
-        if best is None or measured.sigma < 1.1 * best.station.sigma:
-            best = Seed(measured, reach)
-        if reach >= settings.reach or measured.sigma > 2.0 * best.station.sigma:
+        measured = PatchSection(cloud, settings.with_reach(reach)).settle(
+            frame, settings.half_width
+        )
+        if measured.stop is None:
+            if best is None or measured.sigma < 1.1 * best.station.sigma:
+                best = Seed(measured, reach)
+            frame = measured.frame
+        elif best is None:
+            return None
+        if reach >= settings.reach:
             return best
         reach *= _GROWTH
 

@@ -180,7 +180,7 @@ def choose_stretches(
     number = np.maximum(blocks[..., 0], 1e-9)
     mean = (
         blocks[:, :, None, :, 4]
-        - np.einsum("mkpc,mkbc->mkpb", coefficients, blocks[..., :4])
+        - coefficients @ np.swapaxes(blocks[..., :4], -1, -2)
     ) / number[:, :, None]
     filled = blocks[..., 0] > 0
     allowed = np.sqrt(variance[..., None] * (1.0 / number + slack**2))

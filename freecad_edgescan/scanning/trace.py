@@ -31,11 +31,12 @@ def trace_one_way(
     first: Station,
     edge_pitch: float,
     half_width: float,
+    longest_step: float,
     arrived: Arrived | None = None,
     progress: Progress | None = None,
 ) -> Trace:
     """Walk along the first station's tangent only."""
-    onward = walk(section, first, edge_pitch, half_width, arrived, progress=progress)
+    onward = walk(section, first, edge_pitch, half_width, longest_step, arrived, progress=progress)
     return Trace([first, *onward.stations], (Stop.START, onward.stop))
 
 
@@ -44,17 +45,18 @@ def trace_both_ways(
     first: Station,
     edge_pitch: float,
     half_width: float,
+    longest_step: float,
     progress: Progress | None = None,
 ) -> Trace:
     """Walk along the tangent until the edge ends, then from the first station the other way."""
-    onward = walk(section, first, edge_pitch, half_width, progress=progress)
+    onward = walk(section, first, edge_pitch, half_width, longest_step, progress=progress)
     if onward.stop is Stop.CLOSED:
         return Trace([first, *onward.stations], (Stop.CLOSED, Stop.CLOSED))
     if onward.stop is Stop.CANCELLED:
         return Trace([first, *onward.stations], (Stop.START, Stop.CANCELLED))
     known = [first, *onward.stations]
     backward = walk(
-        section, turned(first), edge_pitch, half_width, progress=progress, before=known
+        section, turned(first), edge_pitch, half_width, longest_step, progress=progress, before=known
     )
     stations = [turned(station) for station in reversed(backward.stations)]
     return Trace([*stations, *known], (backward.stop, onward.stop))

@@ -38,6 +38,7 @@ def walk(
     first: Station,
     edge_pitch: float,
     half_width: float,
+    longest_step: float,
     arrived: Arrived | None = None,
     limit: int = 100_000,
     progress: Progress | None = None,
@@ -49,8 +50,9 @@ def walk(
     ----------
     section : who measures
     first : where to begin; its tangent is the direction of the walk
-    edge_pitch : distance of the edge points, mm; shorter where the edge turns or ends
+    edge_pitch : distance of the edge points, mm; steps are shorter where the edge turns or ends
     half_width : of the slab at full step, mm
+    longest_step : where the edge runs as predicted, mm; the edge pitch or more
     arrived : called with the last two edge points; True ends the walk at a gate
     limit : largest number of stations
     progress : told after some stations, may cancel
@@ -75,11 +77,11 @@ def walk(
         station = _steered(last, predicted, measured, step)
         stations.append(station)
         travelled += step
-        step = min(1.5 * step, edge_pitch)
+        step = min(1.5 * step, longest_step)
         here, there = last.frame.origin[0], station.frame.origin[0]
         if arrived is not None and arrived(here, there):
             return Walk(stations[1:], Stop.GATE)
-        if _closed(stations, travelled, edge_pitch):
+        if _closed(stations, travelled, longest_step):
             return Walk(stations[1:], Stop.CLOSED)
         if progress is not None and len(stations) - reported >= 10:
             so_far = SoFar(earlier + stations, len(earlier) + reported)
@@ -157,15 +159,15 @@ def _steered(last: Station, predicted: Frames, measured: Station, step: float) -
     return Station(steered, measured.sigma, measured.noise, measured.begins)
 
 
-def _closed(stations: list[Station], travelled: float, edge_pitch: float) -> bool:
+def _closed(stations: list[Station], travelled: float, longest_step: float) -> bool:
     """Whether the walk has come back to its first station."""
-    if travelled < 6.0 * edge_pitch:
+    if travelled < 4.0 * longest_step:
         return False
     first, last = stations[0].frame, stations[-1].frame
     gap = first.origin[0] - last.origin[0]
     ahead = float(gap @ last.tangent[0])
     return (
-        bool(np.linalg.norm(gap) < 1.2 * edge_pitch)
-        and ahead > -0.6 * edge_pitch
+        bool(np.linalg.norm(gap) < 1.2 * longest_step)
+        and ahead > -0.6 * longest_step
         and float(first.tangent[0] @ last.tangent[0]) > 0.8
     )
