@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A scanned edge as one native edge of FreeCAD: line, circle or B-spline."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import numpy as np
+import Part
+from numpy.typing import ArrayLike
+
+from ..geometry import BSplineCurve, Circle, Line
+from ..scanning import ScanError, ScannedEdge
+
+__all__ = ["curve_shape", "edge_shape"]
+
+
+def edge_shape(edge: ScannedEdge) -> Any:
+    """Make the native edge of a scan.
+
+    Parameters
+    ----------
+    edge : ScannedEdge
+
+    Returns
+    -------
+    Part.Edge: a line, circle or arc where that explains the edge points as well, else a cubic
+    B-spline.
+
+    Raises
+    ------
+    ScanError: fewer than two edge points.
+    """
+    if len(edge.points) < 2:
+        raise ScanError(
+            f"The edge has {len(edge.points)} edge points, too few for a curve. {edge.message}"
+        )
+    if edge.line is not None:
+        return _segment(edge.line, edge.points)
+    if edge.circle is not None:
+        return _arc(edge.circle, edge)
+    return curve_shape(edge.curve())
+
+
+def curve_shape(curve: BSplineCurve) -> Any:
+    """Make a native B-spline edge with the same poles, weights and knots."""
+    knots, multiplicities = curve.distinct_knots_and_multiplicities()
+    native = Part.BSplineCurve()
+    weights = np.ones(len(curve.poles)) if curve.weights is None else curve.weights
+    native.buildFromPolesMultsKnots(
+        [_vector(pole) for pole in curve.poles],
+        [int(count) for count in multiplicities],
+        [float(knot) for knot in knots],
+        bool(curve.periodic),
+        int(curve.degree),
+        [float(weight) for weight in weights],
+    )
+    return native.toShape()
+
+
+def _segment(line: Line, points: ArrayLike) -> Any:
+    along, _ = line.closest(points)
+    start, end = line.evaluate(np.array([along[0], along[-1]]))
+    return Part.LineSegment(_vector(start), _vector(end)).toShape()
+
+
+def _arc(circle: Circle, edge: ScannedEdge) -> Any:
+    if edge.closed:
+        return Part.Circle(_vector(circle.centre), _vector(circle.axis), circle.radius).toShape()
+    angles = circle.angles(edge.points)
+    first, last = float(angles[0]), float(angles[-1])
+    places = circle.evaluate(np.array([first, (first + last) / 2.0, last]))
+    return Part.Arc(*(_vector(place) for place in places)).toShape()
+
+
+def _vector(values: ArrayLike) -> Any:
+    return FreeCAD.Vector(*np.asarray(values, dtype=float).tolist())

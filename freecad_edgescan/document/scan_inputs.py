@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Between the input properties of a scanned edge and the arguments of `scan_edge`."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from typing import Any
+
+import FreeCAD
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..scanning import Gate, ScanError, ScanParameters, Start
+from .cloud_cache import cloud_checksum
+from .scanned_edge_properties import AUTOMATIC, CHOICES, LENGTHS, METHODS, SCHEMA_VERSION
+
+__all__ = ["ScanInputs", "checked_inputs", "input_hash", "read_inputs", "write_inputs"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class ScanInputs:
+    """Arguments of `scan_edge` besides the cloud."""
+
+    at: Array | Start
+    gate: Array | Gate | None = None
+    parameters: ScanParameters = ScanParameters()  # noqa: RUF009, frozen
+    method: str = "patch"
+    min_angle: float | None = None
+
+
+def checked_inputs(
+    at: ArrayLike | Start,
+    gate: ArrayLike | Gate | None,
+    parameters: ScanParameters | None,
+    method: str,
+) -> ScanInputs:
+    """Refuse what cannot be written into properties, with a sentence.
+
+    Raises
+    ------
+    ScanError
+    """
+    if method not in METHODS:
+        known = ", ".join(repr(name) for name in METHODS)
+        raise ScanError(f"The method is {method!r}; choose one of {known}.")
+    return ScanInputs(
+        at if isinstance(at, Start) else _point("click", at),
+        gate if gate is None or isinstance(gate, Gate) else _point("gate", gate),
+        parameters or ScanParameters(),
+        method,
+    )
+
+
+def write_inputs(obj: Any, inputs: ScanInputs) -> None:
+    """Fill the input properties of a scanned edge."""
+    if isinstance(inputs.at, Start):
+        obj.At, obj.Across = _vector(inputs.at.point), _vector(inputs.at.across)
+        obj.Along = _vector(inputs.at.along)
+    else:
+        obj.At = _vector(inputs.at)
+    obj.UseGate = inputs.gate is not None
+    if isinstance(inputs.gate, Gate):
+        obj.Gate, obj.GateAcross = _vector(inputs.gate.point), _vector(inputs.gate.across)
+    elif inputs.gate is not None:
+        obj.Gate = _vector(inputs.gate)
+    obj.Method = inputs.method
+    given = inputs.parameters
+    for field, (name, _) in LENGTHS.items():
+        setattr(obj, name, getattr(given, field) or 0.0)
+    obj.Degree = given.degree or 0
+    for field, (name, _, _) in CHOICES.items():
+        choice = getattr(given, field)
+        setattr(obj, name, AUTOMATIC if choice is None else choice.value)
+    obj.OwnProbeRadius = given.probe_radius is not None
+    obj.ProbeRadius = given.probe_radius or 0.0
+    if given.approach is not None:
+        obj.Approach = _vector(given.approach)
+
+
+def read_inputs(obj: Any) -> ScanInputs:
+    """Give the arguments the input properties stand for.
+
+    Raises
+    ------
+    ScanError: a value that cannot work; its text names the value.
+    """
+    values: dict[str, Any] = {
+        field: getattr(obj, name).Value or None for field, (name, _) in LENGTHS.items()
+    }
+    values["degree"] = obj.Degree or None
+    for field, (name, _, _) in CHOICES.items():
+        choice = getattr(obj, name)
+        values[field] = None if choice == AUTOMATIC else choice
+    values["probe_radius"] = obj.ProbeRadius.Value if obj.OwnProbeRadius else None
+    values["approach"] = _direction(obj.Approach)
+    place = np.array(obj.At, dtype=float)
+    at: Array | Start = place
+    across, along = _direction(obj.Across), _direction(obj.Along)
+    if across is not None:
+        if along is None:
+            raise ScanError(
+                "Across is given and Along is (0, 0, 0); give the direction of the walk in Along, "
+                "or set Across to (0, 0, 0) to scan from a click."
+            )
+        at = Start(place, across, along)
+    gate: Array | Gate | None = None
+    if obj.UseGate:
+        end = np.array(obj.Gate, dtype=float)
+        gate_across = _direction(obj.GateAcross)
+        gate = end if gate_across is None else Gate(end, gate_across)
+    min_angle = float(np.radians(obj.MinAngle.Value)) or None
+    return ScanInputs(at, gate, ScanParameters(**values), obj.Method, min_angle)
+
+
+def input_hash(obj: Any) -> str:
+    """Hash of everything the result of a scanned edge depends on.
+
+    Raises
+    ------
+    ValueError: there is no cloud, or it is empty.
+    """
+    if obj.Cloud is None:
+        raise ValueError(
+            f"The cloud of the edge {obj.Label!r} was deleted; choose another one in its property "
+            "Cloud, or undo the deletion. The edge found before is kept."
+        )
+    texts = [str(SCHEMA_VERSION), cloud_checksum(obj.Cloud)]
+    names = ["At", "Across", "Along", "UseGate", "Gate", "GateAcross", "Method", "MinAngle"]
+    names += [name for name, _ in LENGTHS.values()]
+    names += [name for name, _, _ in CHOICES.values()]
+    names += ["Degree", "OwnProbeRadius", "ProbeRadius", "Approach"]
+    for name in names:
+        value = getattr(obj, name)
+        value = (
+            tuple(value) if isinstance(value, FreeCAD.Vector) else getattr(value, "Value", value)
+        )
+        texts.append(f"{name}={value!r}")
+    return hashlib.blake2b("\n".join(texts).encode(), digest_size=16).hexdigest()
+
+
+def _point(name: str, value: ArrayLike) -> Array:
+    try:
+        point = np.array(value, dtype=float)
+    except (TypeError, ValueError):
+        point = np.zeros(0)
+    if point.shape != (3,) or not np.all(np.isfinite(point)):
+        raise ScanError(f"The {name} is {value!r}; give three finite coordinates in mm.")
+    return point
+
+
+def _direction(vector: Any) -> Array | None:
+    direction = np.array(vector, dtype=float)
+    return direction if np.any(direction) else None
+
+
+def _vector(values: ArrayLike) -> Any:
+    return FreeCAD.Vector(*np.asarray(values, dtype=float).tolist())

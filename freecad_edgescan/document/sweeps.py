@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Native sweeps and lofts on scanned edges; they recompute when an edge is scanned again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+__all__ = ["make_loft", "make_sweep"]
+
+
+def make_sweep(doc: Any, profile: Any, rail: Any, name: str = "Sweep") -> Any:
+    """Sweep a profile along a rail.
+
+    Parameters
+    ----------
+    doc : App.Document
+    profile : object with a Shape that is moved along
+    rail : object with a Shape, such as a scanned edge; all its edges are followed
+
+    Returns
+    -------
+    Part::Sweep with corrected Frenet frames, which do not flip where the rail's torsion does.
+
+    Raises
+    ------
+    ValueError: profile and rail are the same, or one of them has no Shape.
+    """
+    for what, obj in (("profile", profile), ("rail", rail)):
+        _check_shape(what, obj)
+    if profile is rail:
+        raise ValueError(f"Profile and rail are both {rail.Label!r}; choose two different objects.")
+    edges = max(1, len(rail.Shape.Edges))
+    sweep = doc.addObject("Part::Sweep", name)
+    sweep.Sections = [profile]
+    sweep.Spine = (rail, [f"Edge{number}" for number in range(1, edges + 1)])
+    sweep.Solid = False
+    sweep.Frenet = False
+    return sweep
+
+
+def make_loft(doc: Any, sections: Sequence[Any], closed: bool = False, name: str = "Loft") -> Any:
+    """Lay a surface through sections, in their order.
+
+    Parameters
+    ----------
+    doc : App.Document
+    sections : two or more objects with a Shape
+    closed : whether the last section is joined to the first
+
+    Returns
+    -------
+    Part::Loft
+
+    Raises
+    ------
+    ValueError: fewer than two sections, the same one twice in a row, or one without a Shape.
+    """
+    sections = list(sections)
+    if len(sections) < 2:
+        raise ValueError(f"A loft needs two sections or more, not {len(sections)}.")
+    for section in sections:
+        _check_shape("section", section)
+    for before, after in pairwise(sections):
+        if before is after:
+            raise ValueError(
+                f"The section {after.Label!r} follows itself; choose different objects."
+            )
+    loft = doc.addObject("Part::Loft", name)
+    loft.Sections = sections
+    loft.Solid = False
+    loft.Ruled = False
+    loft.Closed = bool(closed)
+    return loft
+
+
+def _check_shape(what: str, obj: Any) -> None:
+    if not hasattr(obj, "Shape"):
+        raise ValueError(
+            f"The {what} {getattr(obj, 'Label', obj)!r} has no shape; "
+            "choose a scanned edge, a sketch or another object with a shape."
+        )
