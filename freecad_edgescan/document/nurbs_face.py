@@ -34,6 +34,7 @@ class NurbsFace:
     Attributes
     ----------
     triangles : (k, 3, 3) array of corners, mm
+    chord : largest distance between triangles and surface, mm; 0 for a plane
     """
 
     def __init__(self, face: Any, chord: float) -> None:
@@ -41,7 +42,7 @@ class NurbsFace:
         corners, triples = nurbs.tessellate(chord)
         xyz = np.array([(p.x, p.y, p.z) for p in corners]).reshape(-1, 3)
         self.triangles: Array = xyz[np.array(triples, dtype=np.intp).reshape(-1, 3)]
-        self._chord = chord
+        self.chord = 0.0 if face.Surface.TypeId == "Part::GeomPlane" else chord
         self._face = nurbs
         self._sign = -1.0 if nurbs.Orientation == "Reversed" else 1.0
         surface = nurbs.Surface.copy()
@@ -95,7 +96,7 @@ class NurbsFace:
             if not len(active):
                 break
         place, normal = self.at(uv)
-        lost = np.flatnonzero(np.linalg.norm(place - points, axis=1) > 3.0 * self._chord + 1e-9)
+        lost = np.flatnonzero(np.linalg.norm(place - points, axis=1) > 3.0 * self.chord + 1e-6)
         if len(lost):
             uv[lost] = self._located_by_kernel(points[lost])
             place[lost], normal[lost] = self.at(uv[lost])

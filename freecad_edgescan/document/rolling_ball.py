@@ -162,17 +162,18 @@ def _on_cap(axis: Array, lowest: float, count: int, rng: np.random.Generator) ->
 
 
 def without_collisions(
-    contacts: Contacts, faces: Sequence[NurbsFace], pitch: float, chord: float, radius: float
+    contacts: Contacts, faces: Sequence[NurbsFace], pitch: float, radius: float
 ) -> Contacts:
     """Leave out the centres closer than the radius to any place of the shape.
 
     The triangles round the nearest of many samples are measured exactly, so that only the
-    triangles' own error (`chord`, mm, on curved faces) remains.
+    triangles' own error on curved faces remains.
     """
     triangles = np.vstack([face.triangles for face in faces])
     samples, owner = _samples(triangles, pitch)
     tree = cKDTree(samples)
-    limit = radius * (1.0 - _DEPTH) - 1.5 * chord
+    error = np.repeat([face.chord for face in faces], [len(face.triangles) for face in faces])
+    limit = radius * (1.0 - _DEPTH) - 1.5 * error
     kept = np.ones(len(contacts), dtype=bool)
     count = min(_NEIGHBOURS, len(samples))
     for low in range(0, len(contacts), 20_000):
@@ -185,7 +186,8 @@ def without_collisions(
         row, column = np.nonzero(np.isfinite(distance))
         chosen = owner[nearest[row, column]]
         pairs = np.unique(np.column_stack([row, chosen]), axis=0)
-        close = triangle_distance(centres[pairs[:, 0]], triangles[pairs[:, 1]]) < limit
+        close = triangle_distance(centres[pairs[:, 0]], triangles[pairs[:, 1]])
+        close = close < limit[pairs[:, 1]]
         kept[low + pairs[close, 0]] = False
     return contacts.taken(kept)
 

@@ -68,7 +68,7 @@ def simulate_cloud(
     edges = true_edges(exact, _MIN_ANGLE)
     if probe_radius > 0.0:
         contacts = ball_contacts(exact, faces, edges, density, probe_radius, rng)
-        contacts = without_collisions(contacts, faces, pitch, _CHORD * pitch, probe_radius)
+        contacts = without_collisions(contacts, faces, pitch, probe_radius)
         if len(contacts) == 0:
             raise ValueError(
                 f"A ball of radius {probe_radius:g} mm fits nowhere on this shape; "

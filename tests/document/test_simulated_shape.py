@@ -90,8 +90,8 @@ def test_a_ball_on_a_box_keeps_its_radius_from_faces_edges_and_corners() -> None
 def test_a_ball_does_not_reach_into_a_narrow_corner() -> None:
     step = Part.makeBox(10, 10, 2).fuse(Part.makeBox(5, 10, 6)).removeSplitter()
     cloud = document.simulate_cloud(step, 0.2, 0.0, probe_radius=1.0)
-    x, _, z = cloud.points.T
-    near = (x > 5.2) & (x < 8) & (z > 2.2) & (z < 5)
+    x, y, z = cloud.points.T
+    near = (y > 0) & (y < 10) & (x > 5.2) & (x < 8) & (z > 2.2) & (z < 5)
     assert np.count_nonzero(near) > 100
     assert x[near].min() > 6.0 - 0.03
     assert z[near].min() > 3.0 - 0.03
