@@ -24,14 +24,15 @@ class EdgePreview:
 
     def __init__(self, view: Any) -> None:
         self._edge = _Drawing(EDGE, coin.SoLineSet(), line_width=3.0)
+        self._points = _Drawing(EDGE, coin.SoPointSet(), point_size=5.0)
         self._click = _Drawing(CLICK, coin.SoPointSet(), point_size=9.0)
         self._root = coin.SoAnnotation()
         self._root.setName("EdgeScanPreview")
         unpickable = coin.SoPickStyle()
         unpickable.style.setValue(coin.SoPickStyle.UNPICKABLE)
         self._root.addChild(unpickable)
-        self._root.addChild(self._edge.node)
-        self._root.addChild(self._click.node)
+        for drawing in (self._edge, self._points, self._click):
+            self._root.addChild(drawing.node)
         self._scene: Any = view.getSceneGraph()
         self._scene.addChild(self._root)
 
@@ -40,9 +41,10 @@ class EdgePreview:
         self._click.draw(point[None])
 
     def show_edge(self, points: Array) -> None:
-        """Draw edge points (m, 3) in order as a line."""
+        """Draw edge points (m, 3) and the line through them."""
         self._edge.draw(points)
         self._edge.shape.numVertices.setValue(len(points))
+        self._points.draw(points)
 
     def clear(self) -> None:
         """Draw nothing."""

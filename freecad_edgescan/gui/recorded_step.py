@@ -7,6 +7,7 @@ mention neither the screen nor the mouse, so that a recorded macro replays in ``
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import FreeCAD
@@ -26,7 +27,12 @@ def object_line(item: Any) -> str:
     return f"doc.getObject({item.Name!r})"
 
 
-def run_as_one_step(doc: Any, title: str, lines: list[str]) -> list[Any]:
+def run_as_one_step(
+    doc: Any,
+    title: str,
+    lines: list[str],
+    before_recompute: Callable[[list[Any]], None] | None = None,
+) -> list[Any]:
     """Run recorded lines and recompute, all in one undo step, or leave no trace.
 
     Parameters
@@ -34,6 +40,8 @@ def run_as_one_step(doc: Any, title: str, lines: list[str]) -> list[Any]:
     doc : App.Document, which the lines know as ``doc``; they know ``document`` as our package
     title : what the undo menu calls the step
     lines : Python statements
+    before_recompute : gets the objects that were made, to write results into them that are known
+        already; it is not recorded, so it must only save time
 
     Returns
     -------
@@ -41,7 +49,7 @@ def run_as_one_step(doc: Any, title: str, lines: list[str]) -> list[Any]:
 
     Raises
     ------
-    ValueError: an object the lines made could not be computed; the text is the object's own.
+    ValueError: an object the lines made could not be computed; the text says which and why.
     Whatever the lines raise.
     """
     before = {item.Name for item in doc.Objects}
@@ -51,8 +59,10 @@ def run_as_one_step(doc: Any, title: str, lines: list[str]) -> list[Any]:
         FreeCADGui.doCommand(f"doc = FreeCAD.getDocument({doc.Name!r})")
         for line in lines:
             FreeCADGui.doCommand(line)
-        FreeCADGui.doCommand("doc.recompute()")
         made = [item for item in doc.Objects if item.Name not in before]
+        if before_recompute is not None:
+            before_recompute(made)
+        FreeCADGui.doCommand("doc.recompute()")
         _require_valid(made)
     except BaseException:
         doc.abortTransaction()

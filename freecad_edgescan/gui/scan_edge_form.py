@@ -13,7 +13,7 @@ from .qt import QtCore, QtGui, QtWidgets
 
 __all__ = ["ScanEdgeForm"]
 
-_ROWS = ("Length", "Edge points", "Mean sigma", "Mean angle", "Ends")
+_ROWS = ("Length", "Mean sigma", "Mean angle")
 
 
 class ScanEdgeForm(QtWidgets.QWidget):
@@ -32,6 +32,9 @@ class ScanEdgeForm(QtWidgets.QWidget):
         self._sentence.setWordWrap(True)
         self._sentence.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
         self._sentence.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
+        bold = self._sentence.font()
+        bold.setBold(True)
+        self._sentence.setFont(bold)
         self._progress = QtWidgets.QProgressBar()
         self._progress.setRange(0, 1000)
         self._progress.setTextVisible(False)
@@ -47,9 +50,11 @@ class ScanEdgeForm(QtWidgets.QWidget):
         table.setContentsMargins(0, 0, 0, 0)
         self._values = {name: QtWidgets.QLabel() for name in _ROWS}
         for name, label in self._values.items():
-            label.setWordWrap(True)
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
             table.addRow(f"{name}:", label)
+        self._message = QtWidgets.QLabel()
+        self._message.setWordWrap(True)
+        table.addRow(self._message)
         column = QtWidgets.QVBoxLayout(self)
         for widget in (self._sentence, self._running, self._result):
             column.addWidget(widget)
@@ -85,10 +90,9 @@ class ScanEdgeForm(QtWidgets.QWidget):
         steps = np.diff(edge.points, axis=0)
         length = float(np.linalg.norm(steps, axis=1).sum())
         self._values["Length"].setText(_length(length))
-        self._values["Edge points"].setText(str(len(edge.points)))
         self._values["Mean sigma"].setText(f"{1000 * float(np.nanmean(edge.sigma)):.1f} µm")
         self._values["Mean angle"].setText(f"{np.degrees(float(np.nanmean(edge.angle))):.1f}°")
-        self._values["Ends"].setText(edge.message)
+        self._message.setText(edge.message)
 
 
 def _length(millimetres: float) -> str:

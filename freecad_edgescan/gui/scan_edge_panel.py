@@ -15,6 +15,8 @@ import FreeCADGui
 import numpy as np
 
 from freecad_edgescan import document
+from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.document.scanned_edge import write_result
 from freecad_edgescan.scanning import ScannedEdge, scan_edge
 
 from .background import Background
@@ -33,6 +35,7 @@ SCANNING = "The edge is being followed. Stop or Cancel give it up."
 KEEP_OR_CLICK_AGAIN = "OK keeps this edge. Click elsewhere to scan another one instead."
 MISSED = "There is no point of a visible cloud under the cursor. Click on the cloud, near an edge."
 STOPPED = "Stopped. Click on the cloud, near the edge you want."
+CLICK_CLOSER = "Click again, closer to an edge."
 _WIDER = 3.0  # a click that meets nothing is tried again with this many times the pick radius
 
 
@@ -65,6 +68,7 @@ class ScanEdgePanel(QtCore.QObject):
         self._ok: Any = None
         self._work: Background | None = None
         self._cloud: Any = None
+        self._numbers: PointCloud | None = None
         self._at: Array | None = None
         self._edge: ScannedEdge | None = None
         self._preview = EdgePreview(view)
@@ -93,7 +97,7 @@ class ScanEdgePanel(QtCore.QObject):
             f"at={as_literal(self._at)})"
         )
         try:
-            run_as_one_step(self._doc, "Scan edge", [line])
+            run_as_one_step(self._doc, "Scan edge", [line], self._hand_over)
         except ValueError as error:
             self.form.say(str(error))
             return False
@@ -125,8 +129,8 @@ class ScanEdgePanel(QtCore.QObject):
             self.form.say(MISSED)
             return
         self._forget_edge()
-        self._cloud, numbers, self._at = picked
-        at = self._at
+        self._cloud, self._numbers, self._at = picked
+        numbers, at = self._numbers, self._at
         self._preview.show_click(at)
         self.form.say(SCANNING)
         self.form.show_progress(True)
@@ -175,11 +179,16 @@ class ScanEdgePanel(QtCore.QObject):
         if self.sender() is not self._work:
             return
         self._work = None
-        self._preview.clear()
+        self._preview.show_edge(np.zeros((0, 3)))
         self.form.show_progress(False)
-        self.form.say(sentence)
+        self.form.say(f"{sentence} {CLICK_CLOSER}")
 
     # The rest.
+
+    def _hand_over(self, made: list[Any]) -> None:
+        """Give the edge object the result, unless its cloud has changed since."""
+        if self._edge is not None and document.point_cloud(self._cloud) is self._numbers:
+            write_result(made[0], self._edge)
 
     def close(self) -> None:
         """Take everything of the panel's out of the view and end its threads."""
@@ -204,7 +213,7 @@ class ScanEdgePanel(QtCore.QObject):
         work.start()
         return work
 
-    def _pick(self, position: tuple[int, int]) -> tuple[Any, Any, Array] | None:
+    def _pick(self, position: tuple[int, int]) -> tuple[Any, PointCloud, Array] | None:
         """The cloud that is clicked on, as object and as numbers, and the point."""
         self._index.wait()
         ray = view_ray(self._view, position)
@@ -221,7 +230,7 @@ class ScanEdgePanel(QtCore.QObject):
 
     def _forget_edge(self) -> None:
         self._end_work()
-        self._edge = self._at = self._cloud = None
+        self._edge = self._at = self._cloud = self._numbers = None
         self._preview.clear()
         self.form.show_progress(False)
         self.form.show_edge(None)

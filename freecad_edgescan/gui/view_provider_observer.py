@@ -39,22 +39,31 @@ class _Observer:
     """FreeCAD calls these when documents change."""
 
     def slotChangedObject(self, item: Any, name: str) -> None:
-        if name == "Proxy":
+        if name == "Proxy" and not item.Document.Restoring and _is_bare(item):
             _dress(item)
 
-    def slotFinishRestoreDocument(self, doc: Any) -> None:
-        _dress_all(doc)
+    def slotActivateDocument(self, doc: Any) -> None:
+        # Opening a file ends with this; FreeCAD tells Python nothing of restoring.
+        if not doc.Restoring:
+            _dress_all(doc)
 
 
 def _dress_all(doc: Any) -> None:
-    for item in doc.Objects:
+    bare = [item for item in doc.Objects if _is_bare(item)]
+    for item in bare:
         _dress(item)
+    if bare:  # a file written without a screen, of which FreeCAD hides everything
+        for kind in ("Part::Feature", "Points::Feature"):
+            for item in doc.findObjects(kind):
+                item.ViewObject.show()
+
+
+def _is_bare(item: Any) -> bool:
+    """Whether an object is ours and has no view provider yet; FreeCAD says None or 1 then."""
+    ours = type(getattr(item, "Proxy", None)).__name__ in _HOME_OF
+    return ours and getattr(getattr(item, "ViewObject", None), "Proxy", 0) in (None, 1)
 
 
 def _dress(item: Any) -> None:
-    home = _HOME_OF.get(type(getattr(item, "Proxy", None)).__name__)
-    view_object = getattr(item, "ViewObject", None)
-    if home is None or view_object is None or getattr(view_object, "Proxy", 0) is not None:
-        return
-    module = import_module(f".{home[0]}", __package__)
-    getattr(module, home[1])(view_object)
+    module, name = _HOME_OF[type(item.Proxy).__name__]
+    getattr(import_module(f".{module}", __package__), name)(item.ViewObject)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import FreeCADGui
 import numpy as np
 
 from .picking import Array, ViewRay
@@ -23,7 +24,7 @@ def view_ray(view: Any, position: tuple[int, int], pixels: float = PICK_PIXELS) 
     position : pixel counted from the lower left corner, as events of the view give it
     pixels : pick radius in logical pixels
     """
-    ratio = view.graphicsView().devicePixelRatioF()
+    ratio = FreeCADGui.getMainWindow().devicePixelRatioF()
     x, y = position
     aside = max(round(pixels * ratio), 1)
     near, far = _line(view, x, y)

@@ -44,7 +44,16 @@ class Window:
     @property
     def edges(self) -> list[Any]:
         """Scanned edges in the document."""
-        return [o for o in self.doc.Objects if type(getattr(o, "Proxy", 0)).__name__ != "int"]
+        return [
+            o for o in self.doc.Objects if "ScannedEdge" in type(getattr(o, "Proxy", 0)).__name__
+        ]
+
+    @property
+    def viewport(self) -> Any:
+        """The widget the 3D view is drawn in."""
+        # view.graphicsView() may answer the widget of a document that was closed before.
+        area = Gui.getMainWindow().centralWidget().currentSubWindow()
+        return area.findChild(QtWidgets.QGraphicsView).viewport()
 
     @property
     def panel(self) -> Any:
@@ -87,8 +96,7 @@ class Window:
 
     def click_pixel(self, x: int, y: int) -> None:
         """Press and release the left mouse button, counted from the lower left corner."""
-        viewport = self.view.graphicsView().viewport()
-        ratio = viewport.devicePixelRatioF()
+        ratio = self.viewport.devicePixelRatioF()
         height = self.view.getSize()[1]
         place = QtCore.QPointF(x / ratio, (height - y - 1) / ratio)
         left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
@@ -98,7 +106,7 @@ class Window:
             (QtCore.QEvent.MouseButtonRelease, left, none),
         ):
             event = QtGui.QMouseEvent(kind, place, button, held, QtCore.Qt.NoModifier)
-            QtWidgets.QApplication.sendEvent(viewport, event)
+            QtWidgets.QApplication.sendEvent(self.viewport, event)
             self.settle(0.02)
 
     def click(self, point: tuple[float, float, float]) -> None:
@@ -107,10 +115,9 @@ class Window:
 
     def press_escape(self) -> None:
         """Press Esc over the 3D view."""
-        viewport = self.view.graphicsView().viewport()
         for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
             event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
-            QtWidgets.QApplication.sendEvent(viewport, event)
+            QtWidgets.QApplication.sendEvent(self.viewport, event)
             self.settle(0.02)
 
     def trace(self) -> tuple[object, ...]:
@@ -140,7 +147,7 @@ def workbench() -> Any:
     return Gui.activeWorkbench()
 
 
-@pytest.fixture
+@pytest.fixture(autouse=True)
 def problems(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Sentences of the message boxes, which do not wait for anybody here."""
     said: list[str] = []
@@ -160,6 +167,7 @@ def window(workbench: Any, tmp_path: Path) -> Iterator[Window]:
     np.savetxt(path, roof())
     document.make_cloud(doc, str(path))
     doc.recompute()
+    name = doc.Name
     window = Window(doc)
     window.view.setAnimationEnabled(False)
     window.view.viewIsometric()
@@ -169,6 +177,6 @@ def window(workbench: Any, tmp_path: Path) -> Iterator[Window]:
     if Gui.Control.activeDialog():
         Gui.Control.closeDialog()
     window.settle()
-    if doc.Name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(doc.Name)
+    if name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
     window.settle()

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from freecad_edgescan.gui.picking import DEPTH_SHARE, Hit, ViewRay, front_hit, nearest_to_ray
 from scipy.spatial import cKDTree
+
+from freecad_edgescan.gui.picking import DEPTH_SHARE, Hit, ViewRay, front_hit, nearest_to_ray
 
 DOWN = np.array([0.0, 0.0, -1.0])
 
@@ -32,7 +33,7 @@ def test_the_point_under_the_cursor_is_met() -> None:
 
 
 def test_a_sheet_in_front_hides_the_sheet_behind_it() -> None:
-    points = np.vstack([sheet(0.0, pitch=0.3), sheet(2.0, pitch=0.3) + [0.1, 0.1, 0.0]])
+    points = np.vstack([sheet(0.0, pitch=0.3), sheet(2.0, pitch=0.29)])
     for x, y in np.random.default_rng(1).uniform(-8, 8, (50, 2)):
         hit = nearest_to_ray(cKDTree(points), looking_down(x, y))
         assert hit is not None

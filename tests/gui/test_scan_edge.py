@@ -143,9 +143,7 @@ def test_a_cloud_deleted_under_the_panel_is_said(window: Any) -> None:
     assert not window.button("Ok").isEnabled()
 
 
-def test_without_a_cloud_the_command_says_what_is_missing(
-    window: Any, problems: list[str]
-) -> None:
+def test_without_a_cloud_the_command_says_what_is_missing(window: Any, problems: list[str]) -> None:
     for item in window.doc.Objects:
         item.ViewObject.Visibility = False
     Gui.runCommand("EdgeScan_ScanEdge")

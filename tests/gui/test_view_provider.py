@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Edges show their icon and colour, wherever they were made."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+FreeCAD = pytest.importorskip("FreeCAD")
+Gui = pytest.importorskip("FreeCADGui")
+
+
+@pytest.fixture
+def edge(window: Any) -> Any:
+    from freecad_edgescan import document
+
+    cloud = window.doc.findObjects("Points::Feature")[0]
+    edge = document.make_scanned_edge(window.doc, cloud, at=(0.0, 0.0, 5.0))
+    window.doc.recompute()
+    return edge
+
+
+def icon_of(edge: Any) -> str:
+    return Path(edge.ViewObject.Proxy.getIcon()).name
+
+
+def test_an_edge_made_by_a_script_is_dressed(edge: Any) -> None:
+    assert icon_of(edge) == "EdgeScan_ScannedEdge.svg"
+    assert edge.ViewObject.Visibility
+    assert edge.ViewObject.LineWidth == 3.0
+
+
+def test_an_edge_is_dressed_after_save_and_reopen_and_keeps_its_colour(
+    edge: Any, tmp_path: Path
+) -> None:
+    edge.ViewObject.LineColor = (0.0, 0.0, 1.0)
+    name, path = edge.Name, str(tmp_path / "roof.FCStd")
+    edge.Document.saveAs(path)
+    FreeCAD.closeDocument(edge.Document.Name)
+    doc = FreeCAD.openDocument(path)
+    again = doc.getObject(name)
+    assert icon_of(again) == "EdgeScan_ScannedEdge.svg"
+    assert again.ViewObject.LineColor[:3] == (0.0, 0.0, 1.0)
+    FreeCAD.closeDocument(doc.Name)
+
+
+def test_an_edge_from_a_file_written_without_a_window_is_dressed(edge: Any, tmp_path: Path) -> None:
+    import zipfile
+
+    name, path = edge.Name, tmp_path / "roof.FCStd"
+    edge.Document.saveAs(str(path))
+    FreeCAD.closeDocument(edge.Document.Name)
+    bare = tmp_path / "bare.FCStd"
+    with zipfile.ZipFile(path) as full, zipfile.ZipFile(bare, "w") as stripped:
+        for member in full.namelist():
+            if member != "GuiDocument.xml" and "Color" not in member:
+                stripped.writestr(member, full.read(member))
+    doc = FreeCAD.openDocument(str(bare))
+    again = doc.getObject(name)
+    assert icon_of(again) == "EdgeScan_ScannedEdge.svg"
+    assert again.ViewObject.Visibility
+    assert again.Cloud.ViewObject.Visibility
+    FreeCAD.closeDocument(doc.Name)
+
+
+def test_an_edge_comes_back_dressed_when_its_deletion_is_undone(edge: Any) -> None:
+    doc, name = edge.Document, edge.Name
+    doc.openTransaction("Delete")
+    doc.removeObject(name)
+    doc.commitTransaction()
+    doc.undo()
+    assert icon_of(doc.getObject(name)) == "EdgeScan_ScannedEdge.svg"
