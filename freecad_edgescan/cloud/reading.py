@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .pcd_format import looks_like_pcd, read_pcd
-from .ply_format import PLY_MAGIC, read_ply
+from .ply_format import read_ply
+from .ply_header import PLY_MAGIC
 from .point_cloud import PointCloud
 from .text_format import looks_like_text_cloud, read_text
 from .text_rows import Listener

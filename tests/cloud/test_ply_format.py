@@ -130,6 +130,15 @@ HEAD = "ply\nformat ascii 1.0\n"
         (ply("ascii", Part("vertex", [("float", "x"), ("float", "u")], [(1, 2)])), "no y and no z"),
         (f"{HEAD}element vertex many\nend_header\n".encode(), "Line 3 .*element vertex many"),
         (f"{HEAD}element vertex 1\nproperty half x\nend_header\n".encode(), "Line 4 .*half"),
+        (f"{HEAD}element vertex -1\nend_header\n".encode(), "Line 3 .*element vertex -1"),
+        (
+            ply("ascii", TRIANGLES, VERTICES).replace(b"face 2", b"face 99999999999"),
+            "promises 3 points but ends after 0",
+        ),
+        (
+            ply("binary_big_endian", RAGGED, VERTICES).replace(b"face 3", b"face 99999999999"),
+            "promises 99999999999 rows of 'face' but ends after",
+        ),
         (b"ply\nformat morse 1.0\nend_header\n", "'morse'"),
         (ply("ascii", VERTICES).replace(b"5.125", b"five"), r"Line 10 .*'five'"),
         (ply("ascii", VERTICES)[:-14], "promises 3 points but ends after 2"),
