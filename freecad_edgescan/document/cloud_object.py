@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import READABLE_ENDINGS, PointCloud, read_cloud
 from .bridge import kernel_from_array, points_of
+from .passing_document import passing_document
 
 __all__ = ["make_cloud"]
 
@@ -120,15 +121,9 @@ def _read_by_points(path: Path) -> Array:
     """All points of what FreeCAD's Points module makes of a file, read in a passing document."""
     import Points
 
-    active = FreeCAD.ActiveDocument
-    passing = FreeCAD.newDocument("EdgeScanImport", "EdgeScanImport", True, True)
-    try:
+    with passing_document() as passing:
         Points.insert(str(path), passing.Name)
         parts = [points_of(obj) for obj in passing.findObjects("Points::Feature")]
-    finally:
-        FreeCAD.closeDocument(passing.Name)
-        if active is not None:
-            FreeCAD.setActiveDocument(active.Name)
     return np.vstack([np.zeros((0, 3)), *parts])
 
 

@@ -9,17 +9,19 @@ from pathlib import Path
 from typing import Any
 
 import FreeCAD
+import Import
 import Part
 
 from ..scanning import ScannedEdge
 from .bridge import origin_of
 from .native_edge import edge_shape
+from .passing_document import passing_document
 
 __all__ = ["export_step"]
 
 
 def export_step(objects: Sequence[Any], path: str | PathLike[str]) -> None:
-    """Write a STEP file; edges stay native curves.
+    """Write a STEP file; edges stay native curves, under their labels.
 
     Parameters
     ----------
@@ -31,20 +33,35 @@ def export_step(objects: Sequence[Any], path: str | PathLike[str]) -> None:
     ValueError: nothing to write, or a file that cannot be written.
     """
     objects = list(objects) if isinstance(objects, Sequence) else [objects]
-    shapes = [shape for shape in map(_true_shape, objects) if not shape.isNull()]
-    if not shapes:
+    named = [(_label(obj, number), _true_shape(obj)) for number, obj in enumerate(objects, start=1)]
+    named = [(label, shape) for label, shape in named if not shape.isNull()]
+    target = Path(path).resolve()
+    if not named:
         raise ValueError(
-            f"There is no shape among {len(objects)} objects to write into {Path(path).name}; "
+            f"There is no shape among {len(objects)} objects to write into {target.name}; "
             "recompute the document first, or choose objects with a shape."
         )
-    target = Path(path)
-    if not target.parent.is_dir():
-        raise ValueError(f"{target} cannot be written: there is no folder {target.parent}.")
-    whole = shapes[0] if len(shapes) == 1 else Part.makeCompound(shapes)
     try:
-        whole.exportStep(str(target))
-    except (RuntimeError, OSError, FreeCAD.Base.FreeCADError) as error:
-        raise ValueError(f"{target} cannot be written ({error}). Check the folder.") from error
+        target.open("ab").close()
+    except OSError as error:
+        raise ValueError(
+            f"{target} cannot be written ({error.strerror}). Check the folder."
+        ) from error
+    # Shape.exportStep of several edges ends the whole process in FreeCAD 1.0; Import does not.
+    with passing_document() as passing:
+        features = []
+        for label, shape in named:
+            feature = passing.addObject("Part::Feature", "Shape")
+            feature.Label = label
+            feature.Shape = shape
+            features.append(feature)
+        Import.export(features, str(target))
+
+
+def _label(obj: Any, number: int) -> str:
+    if isinstance(obj, ScannedEdge):
+        return f"Edge {number}"
+    return str(getattr(obj, "Label", f"Shape {number}"))
 
 
 def _true_shape(obj: Any) -> Any:
@@ -55,5 +72,14 @@ def _true_shape(obj: Any) -> Any:
     if not hasattr(obj, "Shape"):
         raise ValueError(f"{getattr(obj, 'Label', obj)!r} has no shape to write.")
     shape = Part.getShape(obj)
-    origin = origin_of(obj)
-    return shape.translated(FreeCAD.Vector(*origin)) if origin.any() else shape
+    return shape if shape.isNull() else _placed(shape, FreeCAD.Vector(*origin_of(obj)))
+
+
+def _placed(shape: Any, origin: Any) -> Any:
+    """The shape moved for good: readers lose a placement that stands beside a curve."""
+    matrix = shape.Placement.toMatrix()
+    matrix.move(origin)
+    moved = shape.copy()
+    moved.Placement = FreeCAD.Placement()
+    moved.transformShape(matrix, True)
+    return moved

@@ -111,5 +111,5 @@ def test_a_far_edge_is_written_at_its_true_place(doc: Any, numbers: Any, tmp_pat
 def test_nothing_to_write_is_said(doc: Any, tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="no shape among 0"):
         document.export_step([], tmp_path / "nothing.step")
-    with pytest.raises(ValueError, match="no folder"):
+    with pytest.raises(ValueError, match="cannot be written"):
         document.export_step([Part.makeBox(1, 1, 1)], tmp_path / "no" / "box.step")
