@@ -16,6 +16,7 @@ from .section import Frames, SectionPoints
 
 _POOLED = 2
 _ITERATIONS = 8
+_EVIDENCE = 30.0  # chi-square by which a rounding must explain its points better than an edge
 
 
 def rounding_radius(
@@ -74,10 +75,17 @@ def rounding_radius(
         information = pool(slope**2 * used)
         step = pool(slope * residual * used) / np.maximum(information, 1e-12)
         radius = np.maximum(radius - np.clip(step, -0.5 * radius, radius + cloud_pitch), 0.0)
+    own = radius[owner]
+    arm = depth - own / sine[owner]
+    residual = np.hypot(arm, width) - own
+    used = (np.abs(width) < own * cosine[owner]) & (arm < 0)
+    used &= np.abs(residual) < 4.0 * noise[owner] + 0.25 * own
+    sharp = np.abs(depth * sine[owner] - np.abs(width) * cosine[owner])
+    gained = pool((sharp**2 - residual**2) / np.maximum(noise[owner], 1e-12) ** 2 * used)
     with np.errstate(divide="ignore", invalid="ignore"):
         sigma = noise / np.sqrt(information)
     # The noise of the edge point itself moves the bisector's end of the rounding.
     apex = np.sqrt(np.maximum(np.linalg.eigvalsh(corner.covariance)[:, 0], 0.0))
     sigma = np.hypot(sigma, apex / np.maximum(1.0 / sine - 1.0, 1e-3) / np.sqrt(2 * _POOLED + 1))
-    measurable = (radius > 3.0 * sigma) & (radius * cosine > 0.7 * cloud_pitch)
+    measurable = (radius > 3.0 * sigma) & (gained > _EVIDENCE) & (pool(1.0 * used) >= 5)
     return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)

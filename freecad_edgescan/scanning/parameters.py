@@ -5,21 +5,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
-from enum import Enum
+from enum import StrEnum
 
 import numpy as np
 
 from .errors import ScanError
 
 
-class Pattern(str, Enum):
+class Pattern(StrEnum):
     """How the scan lines of a probe follow each other across the edge."""
 
     SQUARE = "square"
     ZIGZAG = "zigzag"
 
 
-class Tangent(str, Enum):
+class Tangent(StrEnum):
     """How a probed scan finds the direction of the edge (Schreve 4.4.1)."""
 
     INTERPOLATION = "interpolation"
@@ -27,14 +27,14 @@ class Tangent(str, Enum):
     POLYNOMIALS = "polynomials"
 
 
-class Steering(str, Enum):
+class Steering(StrEnum):
     """How the next scan line is placed (Schreve 4.4.2, 4.4.3)."""
 
     TANGENT = "tangent"
     CURVATURE = "curvature"
 
 
-class Compensation(str, Enum):
+class Compensation(StrEnum):
     """How the probe radius is taken off (Schreve 4.5)."""
 
     POINT = "point"
@@ -133,7 +133,7 @@ def _check_length(name: str, value: float | None) -> None:
         raise ScanError(f"The {words} is {value!r}; give a positive length in mm.")
 
 
-def _choice(name: str, value: object, choices: type[Enum]) -> Enum | None:
+def _choice(name: str, value: object, choices: type[StrEnum]) -> StrEnum | None:
     if value is None or isinstance(value, choices):
         return value
     try:

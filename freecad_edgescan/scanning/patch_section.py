@@ -21,6 +21,8 @@ from .stop import Stop
 # A measured section that turns more than this against its prediction is measured once more.
 _REMEASURE_TURN = 0.06
 _MEASUREMENTS = 3
+_ENDING = 6.0  # pitches round the last edge point in which to see why a walk ended
+_FOREIGN = 6  # points there that make a surface
 _WIDER = (2.0, 4.0)  # of the slab, where it holds too few points
 
 
@@ -148,7 +150,7 @@ class PatchSection:
             stop = Stop.SMOOTH
         elif not np.isfinite(sigma) or sigma > 0.5 * max(begins) + 2.0 * settings.cloud_pitch:
             stop = Stop.LOST
-        return Station(measured, sigma, noise, begins, stop)
+        return Station(measured, sigma, noise, begins, _cover(kept, fits), stop)
 
     def _fit(
         self,
@@ -164,6 +166,29 @@ class PatchSection:
             moments, reach, self.settings.noise, frame.curvature * reach, doubtful=doubtful
         )
 
+    def ending(self, last: Station, stop: Stop) -> Stop:
+        """Tell a corner, where other surfaces begin, from the end of the cloud.
+
+        Round the last edge point either nothing lies ahead, or points that belong to neither
+        side, or the sides go on and the edge between them was lost.
+        """
+        if stop is Stop.SMOOTH:
+            return stop
+        frame, pitch = last.frame, self.settings.cloud_pitch
+        ball = self.cloud.tree.query_ball_point(frame.origin[0], _ENDING * pitch)
+        index = np.asarray(ball, dtype=np.int64)
+        points = section_points(frame, np.zeros_like(index), index, self.cloud.points[index])
+        clear = points.away > max(last.begins) + 0.5 * pitch
+        near = 4.0 * self.settings.noise + 0.05 * pitch + 0.1 * points.away
+        expected = 0.5 * frame.curvature[0, points.side] * points.away**2
+        foreign = clear & (np.abs(points.height - expected) > near)
+        # Points behind the last edge point belong to what has been walked along.
+        foreign &= points.along > -0.5 * pitch
+        ahead = points.along > 1.5 * pitch
+        if foreign.sum() >= _FOREIGN:
+            return Stop.CORNER
+        return stop if np.count_nonzero(ahead & clear) >= _FOREIGN else Stop.CLOUD_END
+
     def _plausible(self, frame: Frames, points: SectionPoints) -> np.ndarray:
         """Points near enough to the surface that the prediction expects."""
         expected = 0.5 * frame.curvature[points.owner, points.side] * points.away**2
@@ -172,6 +197,15 @@ class PatchSection:
         )
         begins = frame.rolled_over(self.settings.probe_radius)[points.owner]
         return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
+
+
+def _cover(points: SectionPoints, fits: SideFits) -> float:
+    """Share of the extent of each side's points that its fit covers, the smaller of the two."""
+    shares = [
+        (fits.ends[0, k] - fits.begins[0, k]) / max(points.away[points.side == k].max(), 1e-12)
+        for k in range(2)
+    ]
+    return float(min(*shares, 1.0))
 
 
 def _reached(points: SectionPoints) -> np.ndarray:

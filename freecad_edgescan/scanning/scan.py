@@ -30,6 +30,7 @@ from .trace import LineGate, PointGate, Trace, trace_both_ways, trace_one_way, t
 
 Point = Sequence[float] | np.ndarray
 _FARTHEST_CLICK = 10.0  # pitches from the nearest cloud point
+_CLOSE_CLICK = 4.0  # pitches from an edge within which a click means it
 _LOOK_AROUND = 60.0  # pitches round a click without an edge, to name the nearest one
 
 
@@ -117,8 +118,12 @@ def _seed(
     seed = find_seed(cloud, near, settings, along, within)
     if seed is not None:
         return seed
-    message = f"There is no edge within reach of ({_text(near)})"
     other = nearest_seed(cloud, near, settings, _LOOK_AROUND * settings.cloud_pitch)
+    if other is not None and start is None:
+        gap = float(np.linalg.norm(other.station.frame.origin[0] - near))
+        if gap < _CLOSE_CLICK * settings.cloud_pitch:
+            return other
+    message = f"There is no edge within reach of ({_text(near)})"
     if other is None:
         raise ScanError(
             f"{message}: the surface is smooth for {_LOOK_AROUND * settings.cloud_pitch:.3g} mm "

@@ -176,6 +176,7 @@ class Station:
     sigma : standard deviation of the edge point, mm
     noise : noise met on the two sides, mm
     begins : (2,) distance from the edge where each side's support begins, mm
+    cover : share of each side's points' extent that is one smooth surface, the smaller of the two
     stop : why no edge point could be measured here; None when there is one
     """
 
@@ -183,6 +184,7 @@ class Station:
     sigma: float = np.nan
     noise: float = np.nan
     begins: tuple[float, float] = (np.nan, np.nan)
+    cover: float = 1.0
     stop: Stop | None = None
 
 
@@ -191,4 +193,8 @@ class Section(Protocol):
 
     def measure(self, predicted: Frames, half_width: float) -> Station:
         """Measure one edge point near a predicted section; a failure is a station with a stop."""
+        ...
+
+    def ending(self, last: Station, stop: Stop) -> Stop:
+        """Tell why a walk that stopped after the last station came to its end."""
         ...

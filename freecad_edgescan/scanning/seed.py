@@ -9,7 +9,7 @@ without their rounding, that meet at an angle near the click.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -18,6 +18,7 @@ from ..cloud.point_cloud import PointCloud
 from .evened import one_per_cell
 from .patch_section import PatchSection, PatchSettings
 from .section import Frames, Station, frames_from_sides
+from .walker import jumped, predict, reversed_frame
 
 _BALLS = ((4.0, 6.0, 9.0, 14.0), (20.0, 30.0))  # radii round the click, in pitches
 _NEIGHBOURS = 16
@@ -50,10 +51,10 @@ def find_seed(
     within : largest distance of the edge from the click, mm; by default what each ball can see
     """
     for balls in _BALLS:
-        tried: list[Frames] = []
         seeds = []
         for ball in balls:
             radius = ball * settings.cloud_pitch
+            tried: list[Frames] = []
             for frame in proposals(cloud, at, radius, settings.min_angle):
                 if not any(_alike(frame, other) for other in tried):
                     tried.append(frame)
@@ -61,7 +62,8 @@ def find_seed(
         found = [seed for seed in seeds if seed is not None]
         if found:
             # Small balls also propose tangent planes of a rounding; their edges are poorly known.
-            return min(found, key=lambda seed: _doubt(seed.station, at, settings))
+            found.sort(key=lambda seed: _doubt(seed.station, at, settings))
+            return next((s for s in found if _goes_on(cloud, s, settings)), found[0])
     return None
 
 
@@ -164,10 +166,7 @@ def _confirmed(
         if abs(float(found.tangent[0] @ along)) < np.cos(np.radians(40.0)):
             return None
         if float(found.tangent[0] @ along) < 0:
-            flipped = frames_from_sides(
-                found.origin, -found.tangent, found.sides, found.bend, found.curvature
-            )
-            station = Station(flipped, station.sigma, station.noise, station.begins)
+            station = replace(station, frame=reversed_frame(found))
     return Seed(station, seed.reach)
 
 
@@ -193,8 +192,19 @@ def measure_growing(
 
 
 def _doubt(station: Station, at: np.ndarray, settings: PatchSettings) -> float:
-    """How badly an edge is known, and how far from the click it lies."""
-    return station.sigma * (1.0 + _gap(station, at) / settings.cloud_pitch)
+    """How badly an edge is known, how little of its sides it explains, how far it lies."""
+    return station.sigma * (1.0 + _gap(station, at) / settings.cloud_pitch) / station.cover**2
+
+
+def _goes_on(cloud: PointCloud, seed: Seed, settings: PatchSettings) -> bool:
+    """Whether the edge can be followed for a step, one way or the other."""
+    section = PatchSection(cloud, settings.with_reach(seed.reach))
+    for frame in (seed.station.frame, reversed_frame(seed.station.frame)):
+        predicted = predict(frame, settings.edge_pitch)
+        measured = section.settle(predicted, settings.half_width)
+        if not (measured.stop or jumped(predicted, measured, settings.edge_pitch)):
+            return True
+    return False
 
 
 def _gap(station: Station, at: np.ndarray) -> float:

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from enum import Enum
+from enum import StrEnum
 
 
-class Stop(str, Enum):
+class Stop(StrEnum):
     """Reason for the end of an edge; the value is what a person reads."""
 
     START = "at the start that was given"
@@ -26,4 +26,5 @@ class Stop(str, Enum):
     CMM_FAILED = "stopped because the measuring machine failed"
 
     def __str__(self) -> str:
+        """Return the short name, as in tables."""
         return self.name

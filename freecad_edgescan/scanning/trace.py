@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -64,9 +64,7 @@ def trace_both_ways(
 
 def turned(station: Station) -> Station:
     """The same station, walked the other way."""
-    return Station(
-        reversed_frame(station.frame), station.sigma, station.noise, station.begins, station.stop
-    )
+    return replace(station, frame=reversed_frame(station.frame))
 
 
 class LineGate:

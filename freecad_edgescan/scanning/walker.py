@@ -9,7 +9,7 @@ stopped.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -68,11 +68,11 @@ def walk(
         predicted = predict(last.frame, step)
         width = half_width * float(np.clip(step / edge_pitch, 0.6, 1.0))
         measured = section.measure(predicted, width)
-        stop = measured.stop or _jump(predicted, measured, step)
+        stop = measured.stop or jumped(predicted, measured, step)
         if stop is not None:
             step *= 0.5
             if step < _SHORTEST_STEP * edge_pitch:
-                return Walk(stations[1:], stop)
+                return Walk(stations[1:], section.ending(last, stop))
             continue
         station = _steered(last, predicted, measured, step)
         stations.append(station)
@@ -122,11 +122,9 @@ def _carry(vectors: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.nda
     )
 
 
-def _jump(predicted: Frames, measured: Station, step: float) -> Stop | None:
+def jumped(predicted: Frames, measured: Station, step: float) -> Stop | None:
     """Whether the measured section cannot be the predicted edge."""
     frame = measured.frame
-    if not np.isfinite(measured.sigma):
-        return Stop.LOST
     aside = frame.origin[0] - predicted.origin[0]
     aside = aside - (aside @ predicted.tangent[0]) * predicted.tangent[0]
     if np.linalg.norm(aside) > 0.35 * step + 4.0 * measured.sigma:
@@ -156,7 +154,7 @@ def _steered(last: Station, predicted: Frames, measured: Station, step: float) -
     bend = bend - np.einsum("mi,mi->m", bend, tangent)[:, None] * tangent
     curvature = 0.7 * predicted.curvature + 0.3 * frame.curvature
     steered = frames_from_sides(frame.origin, tangent, frame.sides, bend, curvature)
-    return Station(steered, measured.sigma, measured.noise, measured.begins)
+    return replace(measured, frame=steered)
 
 
 def _closed(stations: list[Station], travelled: float, longest_step: float) -> bool:
