@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The demonstration: a simulated scan of the core box becomes edges, sweeps and lofts.
+
+1. the core-box cloud, as the published case study scanned its part;
+2. its rims, each from a start to a gate;
+3. per pipe an arc profile at each end, a sweep of one and a loft through both;
+4. a document, a STEP file, a table of edge points, and pictures.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import FreeCAD
+import numpy as np
+
+from ..cloud import CoreBox, TrueEdge
+from ..experiments import draw_edges
+from ..geometry import distance_to_polyline
+from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start
+from .arc_profile import make_arc_profile
+from .cloud_object import make_cloud
+from .export import export_step
+from .scanned_edge import make_scanned_edge, scan_again, write_result
+from .section_picture import draw_section
+from .sweeps import make_loft, make_sweep
+
+__all__ = ["DemoEdge", "make_demo"]
+
+AMPLITUDE = 22.0  # mm; less finds no wall where the walls run along the scan lines
+NAME = "corebox"
+_ENDS = (0.04, 0.96)  # where the profiles stand, as shares of the first rail
+
+
+@dataclass(frozen=True)
+class DemoEdge:
+    """One row of the demonstration's table; lengths mm."""
+
+    truth: TrueEdge
+    edge: ScannedEdge
+    seconds: float
+
+    @property
+    def errors(self) -> np.ndarray:
+        """Distances of the edge points from the true edge, (m,) mm."""
+        return distance_to_polyline(self.edge.points, self.truth.points, self.truth.closed)[0]
+
+
+def make_demo(
+    folder: str | Path = "demo",
+    progress: Progress | None = None,
+    box: CoreBox | None = None,
+    pitch: float = 0.5,
+    amplitude: float = AMPLITUDE,
+) -> str:
+    """Run the demonstration.
+
+    Parameters
+    ----------
+    folder : where corebox.FCStd, .step, .csv and the pictures go; made when missing
+    progress : told the share that is done; where it answers False, what there is so far is kept
+    box : the part; None: the case study's at full size
+    pitch : of the simulated scan, mm
+    amplitude : of the scan lines, mm
+
+    Returns
+    -------
+    The table that compares the edges with the truth, and what was written, as text.
+    """
+    target = Path(folder)
+    target.mkdir(parents=True, exist_ok=True)
+    box = box or CoreBox()
+    steps = _Steps(progress, len(box.edges) + 2)
+    steps.begin("simulating the scan")
+    numbers = box.cloud(pitch)
+    doc = FreeCAD.newDocument(NAME)
+    try:
+        cloud = make_cloud(doc, numbers, name="CoreBox")
+        cloud.Label = "Core box"
+        rows, rails = _scan_rims(doc, cloud, box, amplitude, steps)
+        steps.begin("sweeping and lofting")
+        notes = _make_pipes(doc, cloud, rails)
+        notes += _write(target, doc, numbers, rows)
+    finally:
+        FreeCAD.closeDocument(doc.Name)
+    return "\n".join([_table(rows), *notes])
+
+
+def _scan_rims(
+    doc: Any, cloud: Any, box: CoreBox, amplitude: float, steps: _Steps
+) -> tuple[list[DemoEdge], list[Any]]:
+    """Scan each rim of the box; a rim that was not found leaves None among the rails."""
+    rows: list[DemoEdge] = []
+    rails: list[Any] = []
+    ways = zip(box.edges, box.starts(amplitude), box.gates(amplitude), strict=True)
+    for truth, start, gate in ways:
+        steps.begin(truth.name)
+        rail = make_scanned_edge(
+            doc,
+            cloud,
+            at=Start(*start),
+            gate=Gate(*gate),
+            parameters=ScanParameters(amplitude=amplitude),
+            name=truth.name.title().replace(" ", ""),
+        )
+        began = perf_counter()
+        edge = scan_again(rail, steps)
+        seconds = perf_counter() - began
+        if len(edge.points) < 2:
+            doc.removeObject(rail.Name)
+            rails.append(None)
+            continue
+        write_result(rail, edge)
+        rows.append(DemoEdge(truth, edge, seconds))
+        rails.append(rail)
+    doc.recompute()
+    return rows, rails
+
+
+def _make_pipes(doc: Any, cloud: Any, rails: list[Any]) -> list[str]:
+    """Profiles, sweep and loft between each pair of rails; what could not be made, as sentences."""
+    notes = []
+    for number, pair in enumerate(zip(rails[::2], rails[1::2], strict=True), start=1):
+        if None in pair:
+            continue
+        try:
+            profiles = [
+                make_arc_profile(doc, cloud, pair, share, name=f"Pipe{number}Profile")
+                for share in _ENDS
+            ]
+        except ValueError as error:
+            notes.append(f"Pipe {number}: {error}")
+            continue
+        made = [
+            make_sweep(doc, profiles[0], pair[0], name=f"Pipe{number}Sweep"),
+            make_loft(doc, profiles, name=f"Pipe{number}Loft"),
+        ]
+        doc.recompute()
+        notes += [
+            f"{obj.Label} could not be made ({obj.getStatusString()})."
+            for obj in made
+            if obj.Shape.isNull() or not obj.Shape.isValid()
+        ]
+    return notes
+
+
+def _write(target: Path, doc: Any, numbers: Any, rows: list[DemoEdge]) -> list[str]:
+    """Write all files; the sentences name them, and what is missing."""
+    notes = []
+    doc.saveAs(str((target / f"{NAME}.FCStd").resolve()))
+    shapes = [
+        obj
+        for obj in doc.Objects
+        if hasattr(obj, "Shape") and not obj.Shape.isNull() and "Invalid" not in obj.State
+    ]
+    written = [f"{NAME}.FCStd"]
+    if shapes:
+        export_step(shapes, target / f"{NAME}.step")
+        written.append(f"{NAME}.step")
+    _write_csv(rows, target / f"{NAME}.csv")
+    written.append(f"{NAME}.csv")
+    if rows:
+        try:
+            edges = [row.edge for row in rows]
+            draw_edges(numbers, edges, target / f"{NAME}.png")
+            draw_section(edges[-1], len(edges[-1].points) // 2, target / f"{NAME}-section.png")
+            written += [f"{NAME}.png", f"{NAME}-section.png"]
+        except ValueError as error:
+            notes.append(str(error))
+    return [*notes, f"Wrote {', '.join(written)} in {target}."]
+
+
+def _write_csv(rows: list[DemoEdge], path: Path) -> None:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(["edge", "x_mm", "y_mm", "z_mm", "sigma_mm", "error_mm"])
+        for row in rows:
+            values = np.column_stack([row.edge.points, row.edge.sigma, row.errors])
+            writer.writerows([row.truth.name, *(f"{x:.6f}" for x in line)] for line in values)
+
+
+def _table(rows: list[DemoEdge]) -> str:
+    lines = [
+        "edge     points   stop     average   maximum   mean sigma   seconds",
+        "                           error mm  error mm  mm",
+    ]
+    lines += [
+        f"{row.truth.name:<8} {len(row.edge.points):6d}   {row.edge.stops[1].name:<8} "
+        f"{row.errors.mean():8.4f}  {row.errors.max():8.4f}  {row.edge.sigma.mean():8.4f}   "
+        f"{row.seconds:8.2f}"
+        for row in rows
+    ]
+    return "\n".join(lines)
+
+
+class _Steps:
+    """Progress of several tasks as one."""
+
+    def __init__(self, progress: Progress | None, count: int) -> None:
+        self._progress = progress
+        self._count = count
+        self._done = -1
+
+    def begin(self, task: str) -> None:
+        self._done += 1
+        self.update(0.0, task)
+
+    def update(self, fraction: float, so_far: object) -> bool:
+        if self._progress is None:
+            return True
+        share = 0.0 if np.isnan(fraction) else fraction
+        return self._progress.update((self._done + share) / self._count, so_far)
