@@ -55,6 +55,11 @@ class ScanEdgePanel(QtCore.QObject):
     ----------
     doc : App.Document whose visible clouds can be clicked
     view : the 3D view that is clicked in
+
+    Attributes
+    ----------
+    form : the widget FreeCAD shows
+    buttons : FreeCAD's OK and Cancel, while the panel is open
     """
 
     def __init__(self, doc: Any, view: Any) -> None:
@@ -65,7 +70,7 @@ class ScanEdgePanel(QtCore.QObject):
         self._doc = doc
         self._view = view
         self._open = True
-        self._ok: Any = None
+        self.buttons: Any = None
         self._work: Background | None = None
         self._cloud: Any = None
         self._numbers: PointCloud | None = None
@@ -85,8 +90,8 @@ class ScanEdgePanel(QtCore.QObject):
 
     def modifyStandardButtons(self, box: Any) -> None:
         """OK waits until there is an edge."""
-        self._ok = box.button(QtWidgets.QDialogButtonBox.Ok)
-        self._ok.setEnabled(self._edge is not None)
+        self.buttons = box
+        self._allow_ok()
 
     def accept(self) -> bool:
         """Make the edge in the document; the panel stays open when that fails."""
@@ -195,6 +200,7 @@ class ScanEdgePanel(QtCore.QObject):
         if not self._open:
             return
         self._open = False
+        self.buttons = None  # FreeCAD's own, which Python must not keep longer than FreeCAD
         FreeCAD.removeDocumentObserver(self)
         self._end_work()
         self._index.abandon()
@@ -242,5 +248,6 @@ class ScanEdgePanel(QtCore.QObject):
             self._work = None
 
     def _allow_ok(self) -> None:
-        if self._ok is not None:
-            self._ok.setEnabled(self._edge is not None)
+        if self.buttons is not None:
+            ok = self.buttons.button(QtWidgets.QDialogButtonBox.Ok)
+            ok.setEnabled(self._edge is not None)

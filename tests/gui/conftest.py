@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import time
+import weakref
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -16,6 +17,8 @@ FreeCAD = pytest.importorskip("FreeCAD", reason="needs a FreeCAD window")
 Gui = pytest.importorskip("FreeCADGui", reason="needs a FreeCAD window")
 if not hasattr(Gui, "getMainWindow"):
     pytest.skip("needs a FreeCAD window", allow_module_level=True)
+
+from pivy import coin  # noqa: E402, F401, lets Python see the view's scene
 
 from freecad_edgescan.gui.qt import QtCore, QtGui, QtWidgets  # noqa: E402
 
@@ -37,8 +40,9 @@ def roof(noise: float = 0.01, pitch: float = 0.25) -> np.ndarray:
 class Window:
     """FreeCAD's main window with one document, and what a person does with it."""
 
-    def __init__(self, doc: Any) -> None:
+    def __init__(self, doc: Any, panels: list[Any]) -> None:
         self.doc = doc
+        self.panels = panels
         self.view = Gui.getDocument(doc.Name).ActiveView
 
     @property
@@ -57,21 +61,19 @@ class Window:
 
     @property
     def panel(self) -> Any:
-        """The form of the panel that is open, or None."""
-        from freecad_edgescan.gui.scan_edge_form import ScanEdgeForm
+        """The panel that was opened last."""
+        return self.panels[-1]()
 
-        forms = [
-            widget
-            for widget in Gui.getMainWindow().findChildren(QtWidgets.QWidget)
-            if isinstance(widget, ScanEdgeForm)
-        ]
-        return forms[-1] if Gui.Control.activeDialog() and forms else None
+    @property
+    def sentence(self) -> str:
+        """What the panel says at its top."""
+        return self.panel.form.sentence
 
     def button(self, name: str) -> Any:
         """OK or Cancel of the open panel."""
-        boxes = Gui.getMainWindow().findChildren(QtWidgets.QDialogButtonBox)
-        found = [box.button(getattr(QtWidgets.QDialogButtonBox, name)) for box in boxes]
-        return next(button for button in found if button is not None and button.isVisible())
+        # Not searched for among the widgets: PySide would keep what it finds alive in Python,
+        # and hand it out again for a later widget at the same address.
+        return self.panel.buttons.button(getattr(QtWidgets.QDialogButtonBox, name))
 
     def settle(self, seconds: float = 0.05) -> None:
         """Let the window handle what has come in."""
@@ -158,7 +160,23 @@ def problems(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 
 @pytest.fixture
-def window(workbench: Any, tmp_path: Path) -> Iterator[Window]:
+def panels(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """Weak references to the panels that are opened."""
+    from freecad_edgescan.gui.scan_edge_panel import ScanEdgePanel
+
+    opened: list[Any] = []
+    begin = ScanEdgePanel.__init__
+
+    def note(panel: Any, *given: Any) -> None:
+        begin(panel, *given)
+        opened.append(weakref.ref(panel))
+
+    monkeypatch.setattr(ScanEdgePanel, "__init__", note)
+    return opened
+
+
+@pytest.fixture
+def window(workbench: Any, panels: list[Any], tmp_path: Path) -> Iterator[Window]:
     """A document that shows the roof from above, slantwise."""
     from freecad_edgescan import document
 
@@ -168,7 +186,7 @@ def window(workbench: Any, tmp_path: Path) -> Iterator[Window]:
     document.make_cloud(doc, str(path))
     doc.recompute()
     name = doc.Name
-    window = Window(doc)
+    window = Window(doc, panels)
     window.view.setAnimationEnabled(False)
     window.view.viewIsometric()
     window.view.fitAll()

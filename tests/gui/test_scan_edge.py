@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import gc
 import threading
 from typing import Any
 
@@ -16,19 +17,18 @@ ON_THE_RIDGE = (0.3, 2.0, 5.0)
 ON_THE_SIDE = (8.0, 0.0, 5.0 - 0.8 * 8.0)
 
 
-def scanned(window: Any) -> Any:
+def scanned(window: Any) -> None:
     """Open the panel, click on the ridge and wait for the edge."""
     Gui.runCommand("EdgeScan_ScanEdge")
     window.settle(0.2)
     window.click(ON_THE_RIDGE)
     window.wait_until(lambda: window.button("Ok").isEnabled())
-    return window.panel
 
 
 def test_the_panel_says_what_to_do(window: Any) -> None:
     Gui.runCommand("EdgeScan_ScanEdge")
     window.settle(0.2)
-    assert window.panel.sentence.startswith("Click on the cloud")
+    assert window.sentence.startswith("Click on the cloud")
     assert not window.button("Ok").isEnabled()
     window.picture("scan_edge_start")
 
@@ -51,6 +51,68 @@ def test_one_click_and_ok_make_one_edge_on_the_ridge(window: Any, camera: str) -
     assert np.abs(points[:, 2] - 5.0).max() < 0.05
     assert np.ptp(points[:, 1]) > 25.0
     assert window.doc.UndoCount == undo_steps + 1
+
+
+def test_ok_does_not_scan_a_second_time(window: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    from freecad_edgescan.document import scanned_edge
+
+    scanned(window)
+    monkeypatch.setattr(scanned_edge, "scan_edge", None)
+    window.button("Ok").click()
+    window.settle()
+    assert window.edges[0].Shape.Length > 25.0
+
+
+def test_the_recorded_lines_make_the_same_edge_bit_for_bit(
+    window: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lines: list[str] = []
+    run = Gui.doCommand
+    monkeypatch.setattr(Gui, "doCommand", lambda line: (lines.append(line), run(line)))
+    scanned(window)
+    window.button("Ok").click()
+    window.settle()
+    points, brep = window.edges[0].Points, window.edges[0].Shape.exportBrepToString()
+    window.doc.undo()
+    assert not any("Gui" in line for line in lines)
+    exec("import FreeCAD\n" + "\n".join(lines), {})
+    assert window.edges[0].Points == points
+    assert window.edges[0].Shape.exportBrepToString() == brep
+
+
+def test_a_cloud_in_a_moved_part_is_clicked_and_scanned_where_it_is_seen(window: Any) -> None:
+    part = window.doc.addObject("App::Part", "Part")
+    part.addObject(window.doc.findObjects("Points::Feature")[0])
+    turn = FreeCAD.Rotation(FreeCAD.Vector(1, 2, 3), 40)
+    part.Placement = FreeCAD.Placement(FreeCAD.Vector(100, -50, 20), turn)
+    window.doc.recompute()
+    window.view.fitAll()
+    Gui.runCommand("EdgeScan_ScanEdge")
+    window.settle(0.2)
+    window.click(tuple(part.Placement.multVec(FreeCAD.Vector(*ON_THE_RIDGE))))
+    window.wait_until(lambda: window.button("Ok").isEnabled())
+    window.button("Ok").click()
+    window.settle()
+    back = part.Placement.inverse()
+    points = np.array([tuple(back.multVec(p)) for p in window.edges[0].Shape.discretize(20)])
+    assert np.abs(points[:, [0, 2]] - [0.0, 5.0]).max() < 0.05
+
+
+def test_clicking_works_in_every_navigation_style(window: Any) -> None:
+    usual = window.view.getNavigationType()
+    deaf = []
+    for style in window.view.listNavigationTypes():
+        window.view.setNavigationType(style)
+        Gui.runCommand("EdgeScan_ScanEdge")
+        window.settle(0.1)
+        window.click_pixel(3, 3)
+        window.settle(0.3)
+        if "no point" not in window.sentence:
+            deaf.append(style)
+        window.button("Cancel").click()
+        window.settle()
+    window.view.setNavigationType(usual)
+    assert not deaf
 
 
 def test_undo_takes_the_edge_away_in_one_step_and_redo_brings_it_back(window: Any) -> None:
@@ -94,7 +156,7 @@ def test_a_click_on_the_background_is_answered_by_a_sentence(window: Any) -> Non
     window.settle(0.2)
     window.click_pixel(3, 3)
     window.settle()
-    assert "no point of a visible cloud" in window.panel.sentence
+    assert "no point of a visible cloud" in window.sentence
     assert Gui.Control.activeDialog()
     assert not window.button("Ok").isEnabled()
 
@@ -102,11 +164,11 @@ def test_a_click_on_the_background_is_answered_by_a_sentence(window: Any) -> Non
 def test_a_click_where_there_is_no_edge_is_answered_by_a_sentence(window: Any) -> None:
     Gui.runCommand("EdgeScan_ScanEdge")
     window.settle(0.2)
-    before = window.panel.sentence
+    before = window.sentence
     window.click(ON_THE_SIDE)
-    window.wait_until(lambda: window.panel.sentence not in (before, _scanning()))
+    window.wait_until(lambda: window.sentence not in (before, _scanning()))
     window.picture("scan_edge_no_edge")
-    assert window.panel.sentence.endswith(".")
+    assert window.sentence.endswith(".")
     assert not window.button("Ok").isEnabled()
     assert not window.edges
 
@@ -135,11 +197,23 @@ def test_a_document_closed_under_the_panel_takes_the_panel_along(window: Any) ->
     window.wait_until(lambda: not Gui.Control.activeDialog())
 
 
+def test_nothing_of_a_closed_panel_stays_alive(window: Any) -> None:
+    from freecad_edgescan.gui.background import Background
+    from freecad_edgescan.gui.scan_edge_panel import ScanEdgePanel
+
+    scanned(window)
+    window.button("Cancel").click()
+    window.settle()
+    gc.collect()
+    leftover = [o for o in gc.get_objects() if isinstance(o, (ScanEdgePanel, Background))]
+    assert not leftover, gc.get_referrers(*leftover)
+
+
 def test_a_cloud_deleted_under_the_panel_is_said(window: Any) -> None:
     scanned(window)
     window.doc.removeObject(window.doc.findObjects("Points::Feature")[0].Name)
     window.settle()
-    assert "deleted" in window.panel.sentence
+    assert "deleted" in window.sentence
     assert not window.button("Ok").isEnabled()
 
 
