@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The demonstration makes its files and its edges are near the truth."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+FreeCAD = pytest.importorskip("FreeCAD")
+Part = pytest.importorskip("Part")
+
+from freecad_edgescan import document  # noqa: E402
+from freecad_edgescan.cloud import CoreBox  # noqa: E402
+from freecad_edgescan.document import demo  # noqa: E402
+
+
+class Listener:
+    """Notes the shares it is told, and cancels when it is to."""
+
+    def __init__(self, cancel_at: float = 2.0) -> None:
+        self.shares: list[float] = []
+        self.cancel_at = cancel_at
+
+    def update(self, fraction: float, so_far: object) -> bool:
+        self.shares.append(fraction)
+        return fraction < self.cancel_at
+
+
+def run(folder: Path, listener: Listener | None = None) -> str:
+    return document.make_demo(folder, listener, box=CoreBox.small(), amplitude=10.0)
+
+
+def test_a_small_box_gives_edges_near_the_truth_and_all_files(tmp_path: Path) -> None:
+    listener = Listener()
+    table = run(tmp_path / "demo", listener)
+    assert table.count("GATE") == 2
+    with (tmp_path / "demo" / "corebox.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    errors = np.array([float(row["error_mm"]) for row in rows])
+    assert {row["edge"] for row in rows} == {"rim 1", "rim 2"}
+    assert errors.mean() < 0.03
+    assert errors.max() < 0.15
+    assert listener.shares == sorted(listener.shares)
+    assert listener.shares[-1] <= 1.0
+    read = Part.Shape()
+    read.read(str(tmp_path / "demo" / "corebox.step"))
+    assert len(read.Faces) == 2
+    doc = FreeCAD.openDocument(str(tmp_path / "demo" / "corebox.FCStd"))
+    try:
+        assert len(doc.findObjects("Part::Sweep")) == len(doc.findObjects("Part::Loft")) == 1
+        assert all(obj.Shape.isValid() for obj in doc.Objects if hasattr(obj, "Shape"))
+        profiles = [obj.Shape.Curve.Radius for obj in doc.Objects if "Profile" in obj.Name]
+        np.testing.assert_allclose(profiles, [8.0, 7.0], atol=0.1)
+    finally:
+        FreeCAD.closeDocument(doc.Name)
+
+
+def test_pictures_are_drawn_or_their_absence_is_said(tmp_path: Path) -> None:
+    table = run(tmp_path)
+    pictures = sorted(path.name for path in tmp_path.glob("*.png"))
+    try:
+        import matplotlib  # noqa: F401
+    except ImportError:
+        assert "needs matplotlib" in table
+    else:
+        assert pictures == ["corebox-section.png", "corebox.png"]
+
+
+def test_no_document_stays_open(tmp_path: Path) -> None:
+    before = list(FreeCAD.listDocuments())
+    run(tmp_path)
+    assert list(FreeCAD.listDocuments()) == before
+
+
+def test_cancelling_keeps_what_was_found(tmp_path: Path) -> None:
+    table = run(tmp_path, Listener(cancel_at=0.4))
+    assert "CANCELLED" in table
+    assert (tmp_path / "corebox.csv").stat().st_size > 100
+
+
+@pytest.mark.slow
+def test_the_full_core_box_meets_the_promised_errors(tmp_path: Path) -> None:
+    table = document.make_demo(tmp_path)
+    assert table.count("GATE") == 4
+    with (tmp_path / "corebox.csv").open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    for name in {row["edge"] for row in rows}:
+        errors = np.array([float(row["error_mm"]) for row in rows if row["edge"] == name])
+        assert errors.mean() <= 0.03
+        assert errors.max() <= 0.15
+
+
+def test_names_of_the_package_are_never_hidden_by_modules() -> None:
+    folder = Path(document.__file__).parent
+    assert not {path.stem for path in folder.glob("*.py")} & set(document.__all__)
+    assert demo.make_demo is document.make_demo
