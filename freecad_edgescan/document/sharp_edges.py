@@ -123,8 +123,9 @@ def _normals(face: Any, edge: Any, points: Array) -> Array:
     found = []
     for point in points.tolist():
         u, v = surface.parameter(FreeCAD.Vector(*point))
-        found.append(face.normalAt(u, v))
-    return _unit(_vectors(found))
+        found.append(surface.normal(u, v))
+    outward = -1.0 if face.Orientation == "Reversed" else 1.0
+    return outward * _unit(_vectors(found))
 
 
 def _rooms(curves: list[Array], closed: list[bool]) -> list[Array]:
