@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+import numpy as np
+import pytest
+
+from freecad_edgescan.scanning.section import SectionPoints
+from freecad_edgescan.scanning.side_fit import (
+    BLOCK_EDGES,
+    BLOCKS,
+    block_counts,
+    block_moments,
+    choose_stretches,
+    fit_summed,
+    shift_along,
+    sum_stretches,
+    without_crowds,
+)
+
+REACH = 12.0
+WIDEST = REACH * np.diff(BLOCK_EDGES).max()
+
+
+def side_points(shape, noise=0.0, count=600, seed=0, width=1.5, reach=REACH):
+    """Both sides of one section with the same shape: height(away, along)."""
+    rng = np.random.default_rng([seed, 5])
+    n = 2 * count
+    away, along = rng.uniform(0, reach, n), rng.uniform(-width, width, n)
+    height = shape(away, along) + noise * rng.normal(size=n)
+    zero = np.zeros(n, dtype=int)
+    return SectionPoints(np.arange(n), zero, along, np.repeat([0, 1], count), away, height)
+
+
+def circle(radius, slope=0.0, level=0.0):
+    """Height of a circle that leaves the edge at a level and a slope and bends upwards."""
+    def height(away, along):
+        turn = np.arctan(slope)
+        s0, n0 = -radius * np.sin(turn), level + radius * np.cos(turn)
+        return n0 - np.sign(radius) * np.sqrt(radius**2 - (away - s0) ** 2)
+
+    return height
+
+
+def coefficients_of_circle(radius, slope, level):
+    """c0, c1, c2 of the circle through (0, level) with that slope there, in reaches."""
+    turn = np.arctan(slope)
+    s0, n0 = -radius * np.sin(turn), level + radius * np.cos(turn)
+    return np.array([(s0**2 + n0**2 - radius**2) / (2 * n0) / REACH, -s0 / n0, REACH / n0])
+
+
+def fitted(points, noise, **more):
+    moments = block_moments(points, 1, REACH)
+    return choose_stretches(moments, REACH, noise, np.zeros((1, 2)), **more)
+
+
+@pytest.mark.parametrize("radius", [20.0, 60.0, -60.0, 1e4])
+@pytest.mark.parametrize("slope", [0.0, 0.2])
+def test_a_circle_is_recovered_exactly(radius, slope):
+    points = side_points(circle(radius, slope, 0.1))
+    fits = fitted(points, 1e-4, curvature_sigma=1.0)
+    wanted = coefficients_of_circle(radius, slope, 0.1)
+    for k in range(2):
+        assert fits.coefficients[0, k, :3] == pytest.approx(wanted, abs=1e-6)
+        assert fits.coefficients[0, k, 3] == pytest.approx(0.0, abs=1e-6)
+    assert fits.accepted.all()
+    assert np.abs(fits.residuals(points)).max() < 1e-5
+
+
+def test_a_plane_that_drifts_along_the_edge_is_recovered_exactly():
+    points = side_points(lambda s, u: 0.05 + 0.1 * s - 0.07 * u)
+    fits = fitted(points, 1e-4)
+    wanted = [0.05 / REACH, 0.1, 0.0, -0.07]
+    assert fits.coefficients[0, 0] == pytest.approx(wanted, abs=1e-6)
+    assert fits.stretch[0].tolist() == [[0, BLOCKS], [0, BLOCKS]]
+
+
+def test_normal_equations_are_the_sums_over_each_blocks_points():
+    points = side_points(lambda s, u: 0.1 * s, 0.1)
+    moments = block_moments(points, 1, REACH)
+    s, n, u = points.away / REACH, points.height / REACH, points.along / REACH
+    for block in (0, 3, BLOCKS - 1):
+        mine = (points.side == 1) & (s >= BLOCK_EDGES[block]) & (s < BLOCK_EDGES[block + 1])
+        rows = np.column_stack([np.ones_like(s), s, (s**2 + n**2) / 2, u, n])[mine]
+        whole = (rows.T @ rows)[np.triu_indices(5)]
+        assert moments[0, 1, block] == pytest.approx(whole, rel=1e-9, abs=1e-12)
+        assert block_counts(points, 1, REACH)[0, 1, block] == mine.sum()
+
+
+def test_points_outside_the_reach_are_in_no_block():
+    points = side_points(lambda s, u: 0.0 * s, reach=2 * REACH)
+    inside = np.count_nonzero(points.away < REACH)
+    assert block_counts(points, 1, REACH).sum() == inside
+    assert block_moments(points, 1, REACH)[..., 0].sum() == pytest.approx(inside)
+
+
+@pytest.mark.parametrize("distance", [0.3, -1.7])
+def test_normal_equations_moved_along_the_edge_are_those_of_moved_points(distance):
+    points = side_points(circle(30.0, 0.1), 0.1)
+    moved = SectionPoints(
+        points.index,
+        points.owner,
+        points.along + distance * REACH,
+        points.side,
+        points.away,
+        points.height,
+    )
+    shifted = shift_along(block_moments(points, 1, REACH), distance)
+    assert shifted == pytest.approx(block_moments(moved, 1, REACH), rel=1e-9, abs=1e-9)
+
+
+def test_the_sum_over_a_stretch_is_the_sum_of_its_blocks():
+    moments = block_moments(side_points(circle(30.0), 0.1), 1, REACH)
+    summed = sum_stretches(moments, np.array([[[2, 5], [0, BLOCKS]]]))
+    assert summed[0, 0] == pytest.approx(moments[0, 0, 2:5].sum(axis=0))
+    assert summed[0, 1] == pytest.approx(moments[0, 1].sum(axis=0))
+
+
+@pytest.mark.parametrize("noise", [0.01, 0.05])
+@pytest.mark.parametrize("touching", [1.0, 3.0])
+@pytest.mark.parametrize(("count", "allowed"), [(600, 2.5), (5000, 1.5)])
+def test_a_stretch_leaves_out_the_rounding_and_little_else(noise, touching, count, allowed):
+    """What is left of the rounding moves the side, at the edge, by no more than a noise or two."""
+
+    def rounded(s, u):
+        within = np.maximum(touching - s, 0.0)
+        return -touching + np.sqrt(touching**2 - within**2)
+
+    for seed in range(6):
+        points = side_points(rounded, noise, count, seed)
+        fits = fitted(points, noise, slack=0.05, scatter=1.8)
+        begins = fits.begins[0]
+        # A rounding falls below the noise a little before it touches the side.
+        hidden = np.sqrt(2 * touching * 2 * noise)
+        assert (begins > touching - hidden - WIDEST / 2).all()
+        assert (begins < touching + 2 * WIDEST).all()
+        assert np.abs(fits.coefficients[0, :, 0] * REACH).max() < allowed * noise
+
+
+def test_a_stretch_stops_where_a_second_surface_begins():
+    def broken(s, u):
+        return 0.5 * np.maximum(s - 7.0, 0.0)
+
+    for seed in range(6):
+        fits = fitted(side_points(broken, 0.02, seed=seed), 0.02)
+        assert fits.accepted.all()
+        assert (fits.ends[0] < 7.0 + 0.5 * WIDEST).all()
+        assert (fits.begins[0] < 1.0).all()
+        assert np.abs(fits.coefficients[0, :, 0] * REACH).max() < 0.02
+
+
+def test_a_side_that_is_nowhere_smooth_is_not_accepted():
+    fits = fitted(side_points(lambda s, u: 0.3 * np.sin(4 * s), 0.01), 0.01)
+    assert not fits.accepted.any()
+
+
+def test_the_stated_variance_is_the_scatter_of_the_fits():
+    noise, c0, stated = 0.05, [], []
+    for seed in range(300):
+        points = side_points(lambda s, u: 0.0 * s, noise, count=150, seed=seed)
+        summed = sum_stretches(block_moments(points, 1, REACH), np.array([[[2, BLOCKS]] * 2]))
+        two = np.full((1, 2), noise)
+        whole = np.array([[[2, BLOCKS]] * 2])
+        fits = fit_summed(summed, REACH, two, whole, np.zeros((1, 2)), np.full((1, 2), 0.3))
+        c0.extend(fits.coefficients[0, :, 0])
+        stated.extend((noise / REACH) ** 2 * fits.inverse[0, :, 0, 0])
+        assert fits.variance[0] == pytest.approx([(noise / REACH) ** 2] * 2, rel=0.6)
+    assert np.std(c0) == pytest.approx(np.sqrt(np.mean(stated)), rel=0.1)
+
+
+def test_a_crowd_of_points_has_no_more_say_than_its_area():
+    """A thousand points in one block count as two of the pitch's own."""
+    even = side_points(lambda s, u: 0.0 * s, count=400)
+    pitch = np.sqrt(REACH * 3.0 / 400)
+    moments = block_moments(even, 1, REACH)
+    crowded = moments.copy()
+    crowded[0, 0, 3] *= 50.0
+    evened = without_crowds(crowded, REACH, 1.5, pitch)
+    expected = REACH * np.diff(BLOCK_EDGES)[3] * 3.0 / pitch**2
+    assert evened[0, 0, 3, 0] == pytest.approx(2 * expected)
+    assert evened[0, 1] == pytest.approx(moments[0, 1], rel=0.35)
