@@ -18,6 +18,7 @@ from scipy.ndimage import convolve1d, percentile_filter
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners
+from .edge_path import EdgePath
 from .patch_section import PatchSettings
 from .section import Frames, SectionPoints
 from .side_fit import (
@@ -57,17 +58,17 @@ class Measured:
 
 
 def measure_together(
-    cloud: PointCloud, frames: Frames, settings: PatchSettings, noise: float, closed: bool
+    cloud: PointCloud, path: EdgePath, settings: PatchSettings, noise: float
 ) -> Measured:
     """Measure all sections of an edge.
 
     Parameters
     ----------
-    frames : (m) sections along the edge, see `reference_curve.sections_along`
+    path : sections along the edge
     noise : standard deviation of the points along the normal, mm
     """
-    reach, half_width = settings.reach, settings.half_width
-    everything = strip_points(cloud, frames, reach, half_width, closed)
+    frames, reach, closed = path.frames, settings.reach, path.closed
+    everything = strip_points(cloud, path, reach, settings.half_width)
     plausible = _plausible(frames, everything, settings, noise)
     points = everything[plausible]
     mode = "wrap" if closed else "constant"
@@ -91,9 +92,8 @@ def measure_together(
         sum_stretches(moments, stretch),
         replace(pooled, stretch=stretch),
         (curvature, curvature_sigma),
-        half_width,
-        closed,
-        frames,
+        path,
+        settings.half_width,
     )
     gone = np.ones(len(everything.index), dtype=bool)
     gone[np.flatnonzero(plausible)[~removed]] = False
@@ -105,16 +105,14 @@ def _supplied_fits(
     own: np.ndarray,
     pooled: SideFits,
     curvature: tuple[np.ndarray, np.ndarray],
+    path: EdgePath,
     half_width: float,
-    closed: bool,
-    frames: Frames,
 ) -> SideFits:
     """Fit each section on its own points, and on its neighbours' too where these are too few."""
     reach = pooled.reach
     local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
-    spacing = float(np.median(np.linalg.norm(np.diff(frames.origin, axis=0), axis=1)))
     # Slabs wider than the spacing share points; sums over neighbours must not count them twice.
-    overlap = max(1.0, 2.0 * half_width / spacing)
+    overlap = max(1.0, 2.0 * half_width / path.spacing)
 
     def fit(summed: np.ndarray) -> SideFits:
         fits = fit_summed(summed, reach, local, pooled.stretch, *curvature)
@@ -127,9 +125,8 @@ def _supplied_fits(
         if not thin.any() or wider >= len(own) // 2:
             break
         steps = [sign * k for k in range(width + 1, wider + 1) for sign in (-1, 1)]
-        summed = summed + sum(
-            shift_along(_neighbour(own, step, closed), step * spacing / reach) for step in steps
-        ) / overlap
+        borrowed = sum(_neighbours(own, path, step, reach) for step in steps)
+        summed = summed + borrowed / overlap
         width = wider
         wide = fit(summed)
         fits = SideFits(
@@ -152,12 +149,12 @@ def _supplied_fits(
     return fits
 
 
-def _neighbour(values: np.ndarray, step: int, closed: bool) -> np.ndarray:
-    """Values of the section a number of steps further; nothing beyond the ends."""
-    moved = np.roll(values, -step, axis=0)
-    if not closed:
-        moved[slice(-step, None) if step > 0 else slice(0, -step)] = 0.0
-    return moved
+def _neighbours(own: np.ndarray, path: EdgePath, step: int, reach: float) -> np.ndarray:
+    """Normal equations of the sections a number of steps further, seen from each section."""
+    ahead = path.ahead(step)
+    there = np.isfinite(ahead)
+    seen = shift_along(np.roll(own, -step, axis=0), np.where(there, ahead, 0.0) / reach)
+    return seen * there[:, None, None]
 
 
 def _pooled_fits(

@@ -8,19 +8,27 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .air import convex_by_approach, convex_by_rounding
 from .automatic import Chosen
-from .corner import Corners
+from .corner import Corners, across_axes
+from .edge_path import path_along
 from .edge_points import Measured, measure_together
 from .fillet import rounding_radius
-from .reference_curve import sections_along
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge
 from .section import Frames, SectionPoints
 from .side_fit import SideFits
-from .trace import Trace
+from .stop import Stop
+from .trace import EdgeGate, Trace
 
 
-def finish_edge(cloud: PointCloud, trace: Trace, chosen: Chosen) -> ScannedEdge:
+def finish_edge(
+    cloud: PointCloud, trace: Trace, chosen: Chosen, arrived: EdgeGate | None = None
+) -> ScannedEdge:
     """Measure the walked edge as a whole, take the probe radius off, and state what is known.
+
+    Parameters
+    ----------
+    trace : the walk
+    arrived : the gate it was to pass, which is found again on the finished edge points
 
     Raises
     ------
@@ -28,10 +36,19 @@ def finish_edge(cloud: PointCloud, trace: Trace, chosen: Chosen) -> ScannedEdge:
     """
     settings = chosen.settings
     noise = float(np.median([station.noise for station in trace.stations]))
-    frames = sections_along(trace.stations, settings.edge_pitch, trace.closed)
-    measured = measure_together(cloud, frames, settings, noise, trace.closed)
+    path = path_along(
+        trace.stations,
+        trace.closed,
+        settings.edge_pitch,
+        least_pitch=1.5 * settings.cloud_pitch,
+        chord_height=chosen.parameters.chord_height,
+        clear=tuple(settings.cloud_pitch * (stop is Stop.CORNER) for stop in trace.stops),
+    )
+    measured = measure_together(cloud, path, settings, noise)
     if not trace.closed:
-        measured = _without_unsupported_ends(measured)
+        measured = _without_unsupported_ends(measured, path.clear)
+    if arrived is not None and trace.stops[1] is Stop.GATE:
+        measured = select_sections(measured, _until(arrived, measured.corners().point))
     frames = measured.frames
     seen = measured.corners()
     rounding, rounding_sigma = rounding_radius(
@@ -87,20 +104,29 @@ def _fillet(
 
 def _turned_covariance(edge: Corners, frames: Frames, convex: bool | None) -> np.ndarray:
     """Covariance from the frames' axes to the axes of the delivered normals."""
-    from .corner import across_axes
-
     normals = -edge.normals if convex is False else edge.normals
     turn = np.einsum("mai,mbi->mab", across_axes(normals), across_axes(frames.normals))
     return np.einsum("mab,mbc,mdc->mad", turn, edge.covariance, turn)
 
 
-def _without_unsupported_ends(measured: Measured) -> Measured:
-    """Leave out sections at the ends whose points all lie on one side along the edge."""
+def _until(arrived: EdgeGate, points: np.ndarray) -> slice:
+    """The sections up to a gate."""
+    for j in range(1, len(points)):
+        if arrived(points[j - 1], points[j]):
+            return slice(0, j + 1 if arrived.passes else j)
+    return slice(0, len(points))
+
+
+def _without_unsupported_ends(measured: Measured, clear: tuple[float, float]) -> Measured:
+    """Leave out sections at the ends whose points all lie on one side along the edge.
+
+    Before a corner, points are kept clear of it; that much is extrapolated.
+    """
     sections = len(measured.frames)
     points = measured.points[~measured.removed]
     bins = points.owner * 2 + points.side
     reached = np.ones(sections, dtype=bool)
-    for ahead in (points.along > 0.0, points.along < 0.0):
+    for ahead in (points.along > -1.5 * clear[1], points.along < 1.5 * clear[0]):
         count = np.bincount(bins[ahead], minlength=2 * sections).reshape(sections, 2)
         reached &= np.all(count > 0, axis=1)
     good = np.flatnonzero(reached & np.all(measured.fits.count >= 6, axis=1))

@@ -21,6 +21,7 @@ from .stop import Stop
 # A measured section that turns more than this against its prediction is measured once more.
 _REMEASURE_TURN = 0.06
 _MEASUREMENTS = 3
+_MOST_BENT = 0.4  # rad, turn of the edge within half a slab
 _ENDING = 6.0  # pitches round the last edge point in which to see why a walk ended
 _FOREIGN = 6  # points there that make a surface
 _WIDER = (2.0, 4.0)  # of the slab, where it holds too few points
@@ -74,9 +75,11 @@ class PatchSection:
 
         Where the slab holds too few points to know the edge well, a wider one is tried.
         """
-        best = self.settle(predicted, half_width)
+        widest = _MOST_BENT / max(float(np.linalg.norm(predicted.bend)), 1e-12)
+        best = self.settle(predicted, min(half_width, max(widest, self.settings.cloud_pitch)))
         for wider in _WIDER:
-            if best.stop is None and best.sigma < self.settings.noise + 0.05 * self.settings.cloud_pitch:
+            known = self.settings.noise + 0.05 * self.settings.cloud_pitch
+            if (best.stop is None and best.sigma < known) or wider * half_width > widest:
                 break
             other = self.settle(predicted, wider * half_width)
             if other.stop is None and (best.stop is not None or other.sigma < 0.7 * best.sigma):

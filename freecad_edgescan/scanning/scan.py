@@ -78,14 +78,15 @@ def scan_edge(
     seed = _seed(cloud, near, start, chosen)
     first, chosen = seed.station, chosen.with_reach(seed.reach)
     section = PatchSection(cloud, chosen.settings)
-    trace = _trace(section, first, start, near, gate, chosen, progress)
+    arrived = _gate(gate, start, chosen)
+    trace = _trace(section, first, start, arrived, progress)
     if len(trace.stations) < 3:
         raise ScanError(
             f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
             f"{trace.stops[1].value} within two steps. Click farther from its ends, or give a "
             "larger amplitude."
         )
-    edge = finish_edge(cloud, trace, chosen)
+    edge = finish_edge(cloud, trace, chosen, arrived)
     return replace(edge, message=describe(edge, gate))
 
 
@@ -136,33 +137,37 @@ def _seed(
     )
 
 
+def _gate(
+    gate: Point | Gate | None, start: Start | None, chosen: Chosen
+) -> LineGate | PointGate | None:
+    """What tells the walk that it has arrived."""
+    reach = chosen.settings.reach
+    if gate is None:
+        return None
+    if isinstance(gate, Gate):
+        _check_gate_ahead(start, gate, reach)
+        approach = chosen.parameters.approach
+        return LineGate(gate, 2.0 * reach, None if approach is None else np.asarray(approach))
+    point = np.asarray(gate, dtype=float)
+    if point.shape != (3,) or not np.all(np.isfinite(point)):
+        raise ScanError(f"The gate is {gate!r}; give a Gate or three finite coordinates in mm.")
+    return PointGate(point, reach)
+
+
 def _trace(
     section: PatchSection,
     first: Station,
     start: Start | None,
-    near: np.ndarray,
-    gate: Point | Gate | None,
-    chosen: Chosen,
+    arrived: LineGate | PointGate | None,
     progress: Progress | None,
 ) -> Trace:
-    settings = chosen.settings
+    settings = section.settings
     steps = settings.edge_pitch, settings.half_width, settings.longest_step
-    if gate is None:
-        if start is None:
-            return trace_both_ways(section, first, *steps, progress=progress)
-        arrived = None
-    elif isinstance(gate, Gate):
-        _check_gate_ahead(start, gate, settings.reach)
-        approach = chosen.parameters.approach
-        arrived = LineGate(
-            gate, 2.0 * settings.reach, None if approach is None else np.asarray(approach)
-        )
-    else:
-        point = np.asarray(gate, dtype=float)
-        if point.shape != (3,) or not np.all(np.isfinite(point)):
-            raise ScanError(f"The gate is {gate!r}; give a Gate or three finite coordinates in mm.")
-        arrived = PointGate(point, settings.reach)
-        if start is None and (point - near) @ first.frame.tangent[0] < 0:
+    if arrived is None and start is None:
+        return trace_both_ways(section, first, *steps, progress=progress)
+    if start is None and arrived is not None:
+        target = arrived.point if isinstance(arrived, PointGate) else arrived.gate.point
+        if (target - first.frame.origin[0]) @ first.frame.tangent[0] < 0:
             first = turned(first)
     return trace_one_way(section, first, *steps, arrived, progress)
 

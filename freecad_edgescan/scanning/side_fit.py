@@ -33,6 +33,9 @@ _SQUARE = np.maximum(_SQUARE, _SQUARE.T)
 # How much better a stretch that covers little of the side must know it (a power of its share).
 _COVERAGE = 4
 
+# Reach over radius of curvature beyond which a stretch is a rounding, not a side.
+_MOST_CURVED = 1.3
+
 # How many times the expected number of points a block may hold at full weight.
 _CROWD = 2.0
 
@@ -195,6 +198,7 @@ def choose_stretches(
     # A rounding is a smooth stretch too; its curvature, and the points it leaves over, tell.
     bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
     smooth &= np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
+    smooth &= np.abs(coefficients[..., 2]) <= _MOST_CURVED
     if doubtful is not None:
         smooth &= ~np.any(within & doubtful[:, :, None, :], axis=-1)
     # Share of the length, not of the points: scans crowd points on roundings.
@@ -242,12 +246,12 @@ def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
     return np.einsum("mkb,mkbq->mkq", within.astype(float), moments)
 
 
-def shift_along(summed: np.ndarray, distance: float) -> np.ndarray:
-    """Normal equations (…, 15) of points moved by a distance along the edge, in reaches."""
-    move = np.eye(_TERMS + 1)
-    move[3, 0] = distance
+def shift_along(summed: np.ndarray, distance: np.ndarray) -> np.ndarray:
+    """Normal equations (m, 2, 15) of points moved by distances (m,) along the edge, in reaches."""
+    move = np.broadcast_to(np.eye(_TERMS + 1), (len(summed), _TERMS + 1, _TERMS + 1)).copy()
+    move[:, 3, 0] = distance
     full = summed[..., _SQUARE]
-    moved = np.einsum("ij,...jk,lk->...il", move, full, move)
+    moved = np.einsum("mij,mkjl,mnl->mkin", move, full, move)
     return moved[..., _PAIRS[0], _PAIRS[1]]
 
 

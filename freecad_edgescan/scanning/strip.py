@@ -7,21 +7,22 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ..cloud.point_cloud import PointCloud
-from .section import Frames, SectionPoints, section_points
+from .edge_path import EdgePath
+from .section import SectionPoints, section_points
 
 
 def strip_points(
-    cloud: PointCloud, frames: Frames, reach: float, half_width: float, closed: bool
+    cloud: PointCloud, path: EdgePath, reach: float, half_width: float
 ) -> SectionPoints:
     """Points within the reach of an edge, once for every section whose slab they lie in.
 
     Parameters
     ----------
-    frames : (m) sections along the edge
+    path : sections along the edge
     reach : distance from the edge, mm
     half_width : half the width of a slab, mm
     """
-    spacing = float(np.median(np.linalg.norm(np.diff(frames.origin, axis=0), axis=1), axis=0))
+    frames, spacing = path.frames, path.spacing
     stride = max(1, int(0.5 * reach / max(spacing, 1e-12)))
     centres = frames.origin[np.unique(np.append(np.arange(0, len(frames), stride), len(frames) - 1))]
     radius = float(np.hypot(reach, 0.5 * reach) + half_width)
@@ -29,11 +30,11 @@ def strip_points(
     index = np.unique(np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls]))
     points = cloud.points[index]
     _, nearest = cKDTree(frames.origin).query(points)
-    neighbours = int(np.ceil(half_width / max(spacing, 1e-12) + 0.5))
+    neighbours = int(np.ceil(half_width / max(float(np.diff(path.at).min()), 1e-3 * spacing) + 0.5))
     parts = []
     for step in range(-neighbours, neighbours + 1):
         owner = nearest + step
-        if closed:
+        if path.closed:
             owner %= len(frames)
             rows = np.arange(len(owner))
         else:
@@ -42,9 +43,14 @@ def strip_points(
         parts.append(
             found[(np.abs(found.along) <= half_width) & (found.away > 0) & (found.away < reach)]
         )
-    return SectionPoints(
+    strip = SectionPoints(
         *(
             np.concatenate([getattr(part, name) for part in parts])
             for name in ("index", "owner", "along", "side", "away", "height")
         )
     )
+    if path.closed:
+        return strip
+    # Where the edge ends in a corner, points at its very end may belong to the next surface.
+    place = path.at[strip.owner] + strip.along
+    return strip[(place >= path.at[0] + path.clear[0]) & (place <= path.at[-1] - path.clear[1])]

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 
@@ -67,8 +68,21 @@ def turned(station: Station) -> Station:
     return replace(station, frame=reversed_frame(station.frame))
 
 
+class EdgeGate(Protocol):
+    """Tells from two following edge points whether the walk has arrived."""
+
+    passes: bool
+    """Whether the edge ends with the point behind the gate, not with the one before it."""
+
+    def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
+        """Whether the step from one point to the next arrived."""
+        ...
+
+
 class LineGate:
     """Ends a walk whose last step crossed a gate."""
+
+    passes = True
 
     def __init__(self, gate: Gate, amplitude: float, approach: np.ndarray | None) -> None:
         self.gate, self.amplitude, self.approach = gate, amplitude, approach
@@ -86,6 +100,8 @@ class LineGate:
 
 class PointGate:
     """Ends a walk once it is leaving the neighbourhood of a point."""
+
+    passes = False
 
     def __init__(self, point: np.ndarray, reach: float) -> None:
         self.point, self.reach = point, reach

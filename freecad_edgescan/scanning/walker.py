@@ -18,6 +18,8 @@ from .section import Frames, Section, Station, frames_from_sides
 from .stop import Stop
 
 _SHORTEST_STEP = 0.25  # of the edge pitch
+_MOST_BENT = 0.25  # rad, turn of the edge in one step
+_TIGHT_TURNS = (0.3, 0.6)  # rad, tried in half an edge pitch where the edge seems to end
 _LARGEST_TURN = 0.35  # rad, of tangent or sides between two edge points beyond what was predicted
 _TANGENT_GAIN = 0.5  # how much of a tangent's innovation is believed
 _BEND_GAIN = 0.15  # how much of it is put down to a change of bend
@@ -65,16 +67,21 @@ def walk(
         if len(stations) > limit:
             return Walk(stations[1:], Stop.LIMIT)
         last = stations[-1]
+        step = min(step, max(_MOST_BENT / _bend(last), _SHORTEST_STEP * edge_pitch))
         predicted = predict(last.frame, step)
         width = half_width * float(np.clip(step / edge_pitch, 0.6, 1.0))
         measured = section.measure(predicted, width)
         stop = measured.stop or jumped(predicted, measured, step)
         if stop is not None:
             step *= 0.5
-            if step < _SHORTEST_STEP * edge_pitch:
+            if step >= _SHORTEST_STEP * edge_pitch:
+                continue
+            step = 0.5 * edge_pitch
+            station = _round_a_bend(section, last, step, half_width)
+            if station is None:
                 return Walk(stations[1:], section.ending(last, stop))
-            continue
-        station = _steered(last, predicted, measured, step)
+        else:
+            station = _steered(last, predicted, measured, step)
         stations.append(station)
         travelled += step
         step = min(1.5 * step, longest_step)
@@ -120,6 +127,37 @@ def _carry(vectors: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.nda
         * np.einsum("mi,mki->mk", axis, vectors)[..., None]
         / np.maximum(1.0 + cosine, 1e-9)
     )
+
+
+def _round_a_bend(
+    section: Section, last: Station, step: float, half_width: float
+) -> Station | None:
+    """Look for the edge where it may begin to turn tightly, before it is given up.
+
+    An edge mostly bends along one of its two surfaces. A turn counts when the edge is as well
+    known there as before and can be followed from there; at a corner it cannot.
+    """
+    frame = last.frame
+    ways = np.concatenate([frame.sides[0], -frame.sides[0]])
+    for turn in _TIGHT_TURNS:
+        for way in ways:
+            bent = replace(frame, bend=(turn / step) * way[None])
+            predicted = predict(bent, step)
+            measured = section.measure(predicted, 0.6 * half_width)
+            if measured.stop or jumped(predicted, measured, step):
+                continue
+            if measured.sigma > 2.0 * max(last.sigma, measured.noise):
+                continue
+            station = _steered(last, predicted, measured, step)
+            onward = predict(station.frame, step)
+            after = section.measure(onward, 0.6 * half_width)
+            if not (after.stop or jumped(onward, after, step)):
+                return station
+    return None
+
+
+def _bend(station: Station) -> float:
+    return max(float(np.linalg.norm(station.frame.bend)), 1e-12)
 
 
 def jumped(predicted: Frames, measured: Station, step: float) -> Stop | None:

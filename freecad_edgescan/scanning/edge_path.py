@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The smooth curve of a finished walk, and the sections that stand on it one edge pitch apart."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+from scipy.interpolate import make_interp_spline, splev, splprep
+from scipy.ndimage import gaussian_filter1d
+
+from .section import Frames, Station, frames_from_sides
+
+
+@dataclass(frozen=True)
+class EdgePath:
+    """Sections laid along a walked edge.
+
+    Attributes
+    ----------
+    frames : (m) sections
+    at : (m,) their places along the edge, mm
+    length : mm, of the whole edge
+    closed : whether the last section leads back to the first
+    clear : lengths at start and end, mm, in which another surface may already be met
+    """
+
+    frames: Frames
+    at: np.ndarray
+    length: float
+    closed: bool
+    clear: tuple[float, float] = (0.0, 0.0)
+
+    def __len__(self) -> int:
+        return len(self.at)
+
+    @property
+    def spacing(self) -> float:
+        """Median distance of the sections, mm."""
+        return float(np.median(np.diff(self.at))) if len(self.at) > 1 else self.length
+
+    def ahead(self, step: int) -> np.ndarray:
+        """Distance along the edge to the section a number of steps further, (m,) mm.
+
+        Beyond the ends of an open edge it is nan.
+        """
+        onward = np.roll(self.at, -step) - self.at
+        if self.closed:
+            return np.where(onward * step < 0, onward + np.sign(step) * self.length, onward)
+        onward[slice(-step, None) if step > 0 else slice(0, -step)] = np.nan
+        return onward
+
+
+def path_along(
+    stations: Sequence[Station],
+    closed: bool,
+    edge_pitch: float,
+    least_pitch: float = 0.0,
+    chord_height: float | None = None,
+    clear: tuple[float, float] = (0.0, 0.0),
+) -> EdgePath:
+    """Sections one edge pitch apart on a smoothing spline through the stations.
+
+    Parameters
+    ----------
+    stations : the walk, in order; at least one
+    closed : whether the last station leads back to the first
+    edge_pitch : mm
+    least_pitch, chord_height : mm; with a chord height the sections lie so that the chord between
+        two of them deviates by no more from the edge, but between half and three edge pitches
+        apart and not nearer than the least pitch (Schreve 4.4.4)
+    """
+    walked = Frames.join([station.frame for station in stations])
+    sigma = np.array([max(station.sigma, 1e-9) for station in stations])
+    if len(walked) < 6:
+        return _as_walked(walked, closed, clear)
+    points, weights = walked.origin, 1.0 / np.maximum(sigma, 0.1 * np.median(sigma))
+    sides, curvature = walked.sides, walked.curvature
+    if closed:
+        points, weights = np.vstack([points, points[:1]]), np.append(weights, weights[0])
+        sides, curvature = np.append(sides, sides[:1], 0), np.append(curvature, curvature[:1], 0)
+    chord = np.linalg.norm(np.diff(points, axis=0), axis=1)
+    keep = np.append(True, chord > 1e-3 * edge_pitch)
+    points, weights, sides, curvature = (x[keep] for x in (points, weights, sides, curvature))
+    if closed:
+        points[-1] = points[0]
+    knots = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
+    # The residuals lie in the two directions across the edge: twice as many as there are points.
+    spline, _ = splprep(points.T, w=weights, u=knots, k=3, s=1.5 * len(points), per=closed)
+    fine = np.linspace(knots[0], knots[-1], 8 * len(points))
+    length = np.append(
+        0.0, np.cumsum(np.linalg.norm(np.diff(np.array(splev(fine, spline)), axis=1), axis=0))
+    )
+    pitch = np.full(len(fine), edge_pitch)
+    if chord_height is not None:
+        bend = np.linalg.norm(_derivatives(spline, fine)[2], axis=1)
+        pitch = np.sqrt(8.0 * chord_height / np.maximum(bend, 1e-12))
+        pitch = np.clip(pitch, max(0.5 * edge_pitch, least_pitch), 3.0 * edge_pitch)
+    # Sections stand where the number of pitches travelled is whole.
+    pitches = cumulative_trapezoid(1.0 / pitch, length, initial=0.0)
+    count = max(3, round(pitches[-1]) + 1)
+    wanted = np.linspace(0.0, pitches[-1], count)[: -1 if closed else None]
+    place = np.interp(wanted, pitches, fine)
+    origin, tangent, bend = _derivatives(spline, place)
+    spread = 2.0 if len(points) > 12 else 0.5
+    mode = "wrap" if closed else "nearest"
+    smooth = [gaussian_filter1d(x, spread, axis=0, mode=mode) for x in (sides, curvature)]
+    sides, curvature = (make_interp_spline(knots, x, k=1)(place) for x in smooth)
+    frames = frames_from_sides(origin, tangent, sides, bend, curvature)
+    return EdgePath(frames, np.interp(place, fine, length), float(length[-1]), closed, clear)
+
+
+def _as_walked(walked: Frames, closed: bool, clear: tuple[float, float]) -> EdgePath:
+    """The few sections of a short walk, as they are."""
+    steps = np.linalg.norm(np.diff(walked.origin, axis=0), axis=1)
+    at = np.append(0.0, np.cumsum(steps))
+    return EdgePath(walked, at, float(at[-1]), closed, clear)
+
+
+def _derivatives(spline: tuple, place: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Points, unit tangents and curvature vectors, (m, 3) each."""
+    origin, first, second = (np.array(splev(place, spline, der=d)).T for d in range(3))
+    speed = np.linalg.norm(first, axis=1, keepdims=True)
+    tangent = first / speed
+    bend = (second - np.einsum("mi,mi->m", second, tangent)[:, None] * tangent) / speed**2
+    return origin, tangent, bend
