@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from .icons import icon_path
-from .message import show_problem
+from .message import problems_shown
 from .qt import QtCore, QtWidgets
 from .recorded_step import run_as_one_step
 
@@ -53,10 +53,8 @@ class ImportCloudCommand:
         if not paths:
             return
         settings.SetString(_FOLDER, QtCore.QFileInfo(paths[0]).absolutePath())
-        try:
+        with problems_shown("Import cloud"):
             import_clouds(paths)
-        except (ValueError, OSError) as error:
-            show_problem("Import cloud", str(error))
 
 
 def import_clouds(paths: list[str]) -> list[Any]:

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 from .icons import icon_path
-from .message import show_problem
+from .message import problems_shown
 from .recorded_step import object_line, run_as_one_step
 from .selected_shapes import selected_shapes
 
@@ -38,7 +38,7 @@ class LoftCommand:
         """Make the loft of what is selected."""
         doc = FreeCAD.ActiveDocument
         sections = selected_shapes(doc)
-        try:
+        with problems_shown("Loft through edges"):
             if len(sections) < 2:
                 raise ValueError(
                     f"{len(sections)} objects with a shape are selected. Select two or more "
@@ -46,5 +46,3 @@ class LoftCommand:
                 )
             through = ", ".join(object_line(section) for section in sections)
             run_as_one_step(doc, "Loft through edges", [f"document.make_loft(doc, [{through}])"])
-        except ValueError as error:
-            show_problem("Loft through edges", str(error))

@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 from .icons import icon_path
-from .message import show_problem
+from .message import problems_shown
 
 __all__ = ["ScanEdgeCommand"]
 
@@ -35,16 +35,15 @@ class ScanEdgeCommand:
 
     def Activated(self) -> None:
         """Open the panel, or say why it cannot work."""
-        from .scan_edge_panel import ScanEdgePanel, clouds_in
+        doc, view = FreeCAD.ActiveDocument, FreeCADGui.ActiveDocument.ActiveView
+        with problems_shown("Scan edge"):
+            from .scan_edge_panel import ScanEdgePanel, clouds_in
 
-        view = FreeCADGui.ActiveDocument.ActiveView
-        if not hasattr(view, "getSceneGraph"):
-            show_problem("Scan edge", "Bring a 3D view to the front, then start again.")
-        elif not clouds_in(FreeCAD.ActiveDocument):
-            show_problem(
-                "Scan edge",
-                "This document shows no point cloud. Import one (EdgeScan → Import cloud), or "
-                "make a hidden one visible.",
-            )
-        else:
-            FreeCADGui.Control.showDialog(ScanEdgePanel(FreeCAD.ActiveDocument, view))
+            if not hasattr(view, "getSceneGraph"):
+                raise ValueError("Bring a 3D view to the front, then start again.")
+            if not clouds_in(doc):
+                raise ValueError(
+                    "This document shows no point cloud. Import one (EdgeScan → Import cloud), "
+                    "or make a hidden one visible."
+                )
+            FreeCADGui.Control.showDialog(ScanEdgePanel(doc, view))

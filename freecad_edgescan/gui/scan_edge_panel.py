@@ -31,6 +31,7 @@ from .view_ray import view_ray
 __all__ = ["ScanEdgePanel", "clouds_in"]
 
 CLICK_NEAR_AN_EDGE = "Click on the cloud, near the edge you want."
+CTRL_CLICK_NEAR_AN_EDGE = "Hold Ctrl and click on the cloud, near the edge you want."
 SCANNING = "The edge is being followed. Stop or Cancel give it up."
 KEEP_OR_CLICK_AGAIN = "OK keeps this edge. Click elsewhere to scan another one instead."
 MISSED = "There is no point of a visible cloud under the cursor. Click on the cloud, near an edge."
@@ -66,7 +67,8 @@ class ScanEdgePanel(QtCore.QObject):
         super().__init__()
         self.form = ScanEdgeForm()
         self.form.stop.clicked.connect(self._stop)
-        self.form.say(CLICK_NEAR_AN_EDGE)
+        rotates = view.getNavigationType() == "Gui::InventorNavigationStyle"
+        self.form.say(CTRL_CLICK_NEAR_AN_EDGE if rotates else CLICK_NEAR_AN_EDGE)
         self._doc = doc
         self._view = view
         self._open = True

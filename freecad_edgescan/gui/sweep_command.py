@@ -9,7 +9,7 @@ import FreeCAD
 import FreeCADGui
 
 from .icons import icon_path
-from .message import show_problem
+from .message import problems_shown
 from .recorded_step import object_line, run_as_one_step
 from .selected_shapes import is_scanned_edge, selected_shapes
 
@@ -40,12 +40,10 @@ class SweepCommand:
     def Activated(self) -> None:
         """Make the sweep of what is selected."""
         doc = FreeCAD.ActiveDocument
-        try:
+        with problems_shown("Sweep along edge"):
             profile, rail = profile_and_rail(selected_shapes(doc))
             line = f"document.make_sweep(doc, {object_line(profile)}, {object_line(rail)})"
             run_as_one_step(doc, "Sweep along edge", [line])
-        except ValueError as error:
-            show_problem("Sweep along edge", str(error))
 
 
 def profile_and_rail(shapes: list[Any]) -> tuple[Any, Any]:

@@ -96,18 +96,19 @@ class Window:
         x, y = getattr(self.view, name or "getPointOnScreen")(FreeCAD.Vector(*point))
         return round(x), round(y)
 
-    def click_pixel(self, x: int, y: int) -> None:
+    def click_pixel(self, x: int, y: int, ctrl: bool = False) -> None:
         """Press and release the left mouse button, counted from the lower left corner."""
         ratio = self.viewport.devicePixelRatioF()
         height = self.view.getSize()[1]
         place = QtCore.QPointF(x / ratio, (height - y - 1) / ratio)
+        keys = QtCore.Qt.ControlModifier if ctrl else QtCore.Qt.NoModifier
         left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
         for kind, button, held in (
             (QtCore.QEvent.MouseMove, none, none),
             (QtCore.QEvent.MouseButtonPress, left, left),
             (QtCore.QEvent.MouseButtonRelease, left, none),
         ):
-            event = QtGui.QMouseEvent(kind, place, button, held, QtCore.Qt.NoModifier)
+            event = QtGui.QMouseEvent(kind, place, button, held, keys)
             QtWidgets.QApplication.sendEvent(self.viewport, event)
             self.settle(0.02)
 

@@ -98,14 +98,14 @@ def test_a_cloud_in_a_moved_part_is_clicked_and_scanned_where_it_is_seen(window:
     assert np.abs(points[:, [0, 2]] - [0.0, 5.0]).max() < 0.05
 
 
-def test_clicking_works_in_every_navigation_style(window: Any) -> None:
+def test_clicking_as_the_panel_says_works_in_every_navigation_style(window: Any) -> None:
     usual = window.view.getNavigationType()
     deaf = []
     for style in window.view.listNavigationTypes():
         window.view.setNavigationType(style)
         Gui.runCommand("EdgeScan_ScanEdge")
         window.settle(0.1)
-        window.click_pixel(3, 3)
+        window.click_pixel(3, 3, ctrl="Ctrl" in window.sentence)
         window.settle(0.3)
         if "no point" not in window.sentence:
             deaf.append(style)
