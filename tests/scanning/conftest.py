@@ -121,8 +121,9 @@ class Can:
     def distance(self, points):
         offset = np.asarray(points) - self.centre
         height = offset @ self.axis
-        return np.hypot(np.linalg.norm(offset - height[:, None] * self.axis, axis=1) - self.radius,
-                        height)
+        return np.hypot(
+            np.linalg.norm(offset - height[:, None] * self.axis, axis=1) - self.radius, height
+        )
 
 
 def make_can(radius=10.0, height=8.0, pitch=0.5, noise=0.02, seed=0):

@@ -4,7 +4,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from freecad_edgescan.scanning.section import Frames, frames_from_sides, section_points
-from freecad_edgescan.scanning.strip import strip_points
 
 TURN = Rotation.random(random_state=4)
 PLACE = np.array([7.0, -3.0, 2.0])
@@ -120,37 +119,3 @@ def test_probe_centres_roll_over_a_rim_within_the_touching_points_of_the_ball(we
     part = wedge(60.0, noise=0.0, rounding=1.5)
     frames = frames_from_sides(part.middle[None], part.along[None], part.sides[None])
     assert frames.rolled_over(1.5) == pytest.approx([1.5 / np.tan(np.radians(30))])
-
-
-def test_every_point_of_a_strip_lies_in_the_sections_whose_slabs_hold_it(wedge):
-    part = wedge(100.0, noise=0.0)
-    at = np.arange(-10.0, 10.5, 1.0)
-    many = len(at)
-    frames = frames_from_sides(
-        part.middle + at[:, None] * part.along,
-        np.tile(part.along, (many, 1)),
-        np.tile(part.sides, (many, 1, 1)),
-    )
-    found = strip_points(part.cloud, frames, 5.0, 0.8, closed=False)
-    place = part.place_along(part.cloud.points)
-    near = part.distance(part.cloud.points) < 5.0
-    pairs = {(i, j) for i in np.flatnonzero(near) for j in range(many) if abs(place[i] - at[j]) < 0.8}
-    assert set(zip(found.index.tolist(), found.owner.tolist(), strict=True)) == pairs
-    assert len(found.index) == len(pairs)
-    assert np.abs(found.height).max() < 1e-9
-
-
-def test_strips_of_closed_edges_join_their_ends(can):
-    part = can(noise=0.0)
-    turns = np.linspace(0, 2 * np.pi, 40, endpoint=False)
-    origin = np.array([part.on_rim(t) for t in turns])
-    radial = (origin - part.centre) / part.radius
-    tangent = np.cross(part.axis, radial)
-    tangent *= np.sign(np.einsum("ij,ij->i", tangent, np.roll(origin, -1, 0) - origin))[:, None]
-    sides = np.stack([-radial, np.tile(-part.axis, (40, 1))], axis=1)
-    frames = frames_from_sides(origin, tangent, sides, -radial / part.radius)
-    found = strip_points(part.cloud, frames, 4.0, 1.2, closed=True)
-    count = np.bincount(found.owner, minlength=40)
-    assert count.min() > 0.7 * count.max()
-    assert np.abs(found.height).max() < 1e-9
-    assert (np.abs(found.along) <= 1.2).all()
