@@ -55,7 +55,7 @@ def choose_parameters(
     ------
     ScanError: values that cannot work with this cloud or with each other.
     """
-    reasons = {name: "given" for name in given.given()}
+    reasons = dict.fromkeys(given.given(), "given")
     pitch = _pitch_around(cloud, near)
     probe = given.probe_radius
     if probe is None:

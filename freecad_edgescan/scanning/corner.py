@@ -104,9 +104,7 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
     variances = _variance_at(fits, along_side, along_normal, shift, gradient * distance[:, :, None])
     inverse = _inverse_2x2(gradient)
     covariance = np.einsum("mak,mk,mbk->mab", inverse, variances, inverse)
-    return Corners(
-        point, tangent, normals, sides, covariance, variances, shift * reach, found
-    )
+    return Corners(point, tangent, normals, sides, covariance, variances, shift * reach, found)
 
 
 def _section_distance(

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +10,9 @@ from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import make_interp_spline, splev, splprep
 from scipy.ndimage import gaussian_filter1d
 
-from .section import Frames, Station, frames_from_sides
+from .section import Frames, frames_from_sides
+from .stop import Stop
+from .trace import Trace
 
 
 @dataclass(frozen=True)
@@ -24,14 +25,14 @@ class EdgePath:
     at : (m,) their places along the edge, mm
     length : mm, of the whole edge
     closed : whether the last section leads back to the first
-    clear : lengths at start and end, mm, in which another surface may already be met
+    ends : why the edge ends there, at its start and end
     """
 
     frames: Frames
     at: np.ndarray
     length: float
     closed: bool
-    clear: tuple[float, float] = (0.0, 0.0)
+    ends: tuple[Stop, Stop]
 
     def __len__(self) -> int:
         return len(self.at)
@@ -54,28 +55,26 @@ class EdgePath:
 
 
 def path_along(
-    stations: Sequence[Station],
-    closed: bool,
+    trace: Trace,
     edge_pitch: float,
     least_pitch: float = 0.0,
     chord_height: float | None = None,
-    clear: tuple[float, float] = (0.0, 0.0),
 ) -> EdgePath:
     """Sections one edge pitch apart on a smoothing spline through the stations.
 
     Parameters
     ----------
-    stations : the walk, in order; at least one
-    closed : whether the last station leads back to the first
+    trace : the walk, at least one station
     edge_pitch : mm
     least_pitch, chord_height : mm; with a chord height the sections lie so that the chord between
         two of them deviates by no more from the edge, but between half and three edge pitches
         apart and not nearer than the least pitch (Schreve 4.4.4)
     """
+    stations, closed = trace.stations, trace.closed
     walked = Frames.join([station.frame for station in stations])
     sigma = np.array([max(station.sigma, 1e-9) for station in stations])
     if len(walked) < 6:
-        return _as_walked(walked, closed, clear)
+        return _as_walked(walked, trace)
     points, weights = walked.origin, 1.0 / np.maximum(sigma, 0.1 * np.median(sigma))
     sides, curvature = walked.sides, walked.curvature
     if closed:
@@ -109,14 +108,14 @@ def path_along(
     smooth = [gaussian_filter1d(x, spread, axis=0, mode=mode) for x in (sides, curvature)]
     sides, curvature = (make_interp_spline(knots, x, k=1)(place) for x in smooth)
     frames = frames_from_sides(origin, tangent, sides, bend, curvature)
-    return EdgePath(frames, np.interp(place, fine, length), float(length[-1]), closed, clear)
+    return EdgePath(frames, np.interp(place, fine, length), float(length[-1]), closed, trace.stops)
 
 
-def _as_walked(walked: Frames, closed: bool, clear: tuple[float, float]) -> EdgePath:
+def _as_walked(walked: Frames, trace: Trace) -> EdgePath:
     """The few sections of a short walk, as they are."""
     steps = np.linalg.norm(np.diff(walked.origin, axis=0), axis=1)
     at = np.append(0.0, np.cumsum(steps))
-    return EdgePath(walked, at, float(at[-1]), closed, clear)
+    return EdgePath(walked, at, float(at[-1]), trace.closed, trace.stops)
 
 
 def _derivatives(spline: tuple, place: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

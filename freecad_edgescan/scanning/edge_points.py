@@ -32,10 +32,12 @@ from .side_fit import (
     sum_stretches,
     without_crowds,
 )
+from .stop import Stop
 from .strip import strip_points
 
 _POOLED = 4  # sections on each side that decide together
 _CLEANINGS = 2
+_NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
 _STRIDE = 3  # sections from one decision to the next
 _POOLED_CURVATURE = 8
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
@@ -44,13 +46,25 @@ _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks fo
 
 @dataclass(frozen=True)
 class Measured:
-    """Sections measured together: the frames, their points, which were removed, and the fits."""
+    """Sections measured together.
+
+    Attributes
+    ----------
+    frames : (m) sections
+    points : cloud points in them, and removed (n,) those that no fit used
+    fits : the sides
+    noise : (m, 2) standard deviation of the points about the sides, mm
+    at : (m,) places of the sections along the edge, mm
+    extent : places along the edge between which both sides have points, mm
+    """
 
     frames: Frames
     points: SectionPoints
     removed: np.ndarray
     fits: SideFits
     noise: np.ndarray
+    at: np.ndarray
+    extent: tuple[float, float]
 
     def corners(self, offset: float = 0.0) -> Corners:
         """Edge points with both sides moved along the frames' normals, mm."""
@@ -70,6 +84,11 @@ def measure_together(
     frames, reach, closed = path.frames, settings.reach, path.closed
     everything = strip_points(cloud, path, reach, settings.half_width)
     plausible = _plausible(frames, everything, settings, noise)
+    extent = _extent(everything[plausible], path, settings.cloud_pitch)
+    place = path.at[everything.owner] + everything.along
+    clear = [settings.cloud_pitch * (end is Stop.CORNER) for end in path.ends]
+    # At a corner the points at the very end may belong to the next surface.
+    plausible &= (place >= extent[0] + clear[0]) & (place <= extent[1] - clear[1])
     points = everything[plausible]
     mode = "wrap" if closed else "constant"
     pooled = _pooled_fits(points, frames, settings, noise, mode, None)
@@ -98,7 +117,7 @@ def measure_together(
     gone = np.ones(len(everything.index), dtype=bool)
     gone[np.flatnonzero(plausible)[~removed]] = False
     outside = ~_in_stretch(everything, fits)
-    return Measured(frames, everything, gone | outside, fits, local)
+    return Measured(frames, everything, gone | outside, fits, local, path.at, extent)
 
 
 def _supplied_fits(
@@ -192,9 +211,7 @@ def _pooled_fits(
     return replace(fits, accepted=fits.accepted & chosen.accepted[nearest])
 
 
-def _evened_moments(
-    points: SectionPoints, frames: Frames, settings: PatchSettings
-) -> np.ndarray:
+def _evened_moments(points: SectionPoints, frames: Frames, settings: PatchSettings) -> np.ndarray:
     moments = block_moments(points, len(frames), settings.reach)
     return without_crowds(moments, settings.reach, settings.half_width, settings.cloud_pitch)
 
@@ -237,6 +254,26 @@ def _plausible(
     allowed = 4.0 * noise + 0.5 * settings.cloud_pitch + 0.1 * points.away
     begins = frames.rolled_over(settings.probe_radius)[points.owner]
     return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
+
+
+def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[float, float]:
+    """Places along the edge between which both sides have points, mm.
+
+    An end that was given, or a gate, is no end of the sides; at a corner a face may well reach
+    farther away from the edge, and only points near the edge count.
+    """
+    place = path.at[points.owner] + points.along
+    extent = [-np.inf, np.inf]
+    for k, end in enumerate(path.ends):
+        if end in (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED):
+            continue
+        near = points.away < (_NEAR_END * cloud_pitch if end is Stop.CORNER else np.inf)
+        sides = [np.sort(place[near & (points.side == side)]) for side in range(2)]
+        if min(len(side) for side in sides) < 10:
+            continue
+        # Not the outermost points of all: one may be an outlier.
+        extent[k] = min(s[-3] for s in sides) if k else max(s[2] for s in sides)
+    return extent[0], extent[1]
 
 
 def _in_stretch(points: SectionPoints, fits: SideFits) -> np.ndarray:

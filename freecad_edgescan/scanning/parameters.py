@@ -137,7 +137,7 @@ def _choice(name: str, value: object, choices: type[StrEnum]) -> StrEnum | None:
     if value is None or isinstance(value, choices):
         return value
     try:
-        return choices(value)
+        return choices(str(value))
     except ValueError:
         known = ", ".join(repr(choice.value) for choice in choices)
         raise ScanError(f"The {name} is {value!r}; choose one of {known}.") from None

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
@@ -18,6 +20,9 @@ from .section import Frames, SectionPoints
 from .side_fit import SideFits
 from .stop import Stop
 from .trace import EdgeGate, Trace
+
+_FAR_WORSE = 3.0  # times the usual sigma of a side, where an end is not believed
+_LAST = 2  # sections at each end to which that applies
 
 
 def finish_edge(
@@ -37,22 +42,25 @@ def finish_edge(
     settings = chosen.settings
     noise = float(np.median([station.noise for station in trace.stations]))
     path = path_along(
-        trace.stations,
-        trace.closed,
+        trace,
         settings.edge_pitch,
         least_pitch=1.5 * settings.cloud_pitch,
         chord_height=chosen.parameters.chord_height,
-        clear=tuple(settings.cloud_pitch * (stop is Stop.CORNER) for stop in trace.stops),
     )
     measured = measure_together(cloud, path, settings, noise)
     if not trace.closed:
-        measured = _without_unsupported_ends(measured, path.clear)
+        measured = _without_unsupported_ends(measured, settings.cloud_pitch)
     if arrived is not None and trace.stops[1] is Stop.GATE:
         measured = select_sections(measured, _until(arrived, measured.corners().point))
     frames = measured.frames
     seen = measured.corners()
     rounding, rounding_sigma = rounding_radius(
-        frames, measured.points, seen, measured.noise.max(axis=1), settings.cloud_pitch, trace.closed
+        frames,
+        measured.points,
+        seen,
+        measured.noise.max(axis=1),
+        settings.cloud_pitch,
+        trace.closed,
     )
     probe = chosen.parameters.probe_radius or 0.0
     convex = _convex(chosen, seen.normals, rounding, rounding_sigma)
@@ -117,18 +125,14 @@ def _until(arrived: EdgeGate, points: np.ndarray) -> slice:
     return slice(0, len(points))
 
 
-def _without_unsupported_ends(measured: Measured, clear: tuple[float, float]) -> Measured:
-    """Leave out sections at the ends whose points all lie on one side along the edge.
-
-    Before a corner, points are kept clear of it; that much is extrapolated.
-    """
-    sections = len(measured.frames)
-    points = measured.points[~measured.removed]
-    bins = points.owner * 2 + points.side
-    reached = np.ones(sections, dtype=bool)
-    for ahead in (points.along > -1.5 * clear[1], points.along < 1.5 * clear[0]):
-        count = np.bincount(bins[ahead], minlength=2 * sections).reshape(sections, 2)
-        reached &= np.all(count > 0, axis=1)
+def _without_unsupported_ends(measured: Measured, cloud_pitch: float) -> Measured:
+    """Leave out sections at the ends that stand beyond their points, or hardly on any."""
+    first, last = measured.extent
+    reached = (measured.at > first - 0.3 * cloud_pitch) & (measured.at < last + 0.3 * cloud_pitch)
+    known = np.sqrt(measured.fits.variance * measured.fits.inverse[..., 0, 0])
+    known_well = np.all(known < _FAR_WORSE * np.median(known, axis=0), axis=1)
+    known_well[_LAST:-_LAST] = True
+    reached &= known_well
     good = np.flatnonzero(reached & np.all(measured.fits.count >= 6, axis=1))
     if not len(good):
         return measured
@@ -157,6 +161,12 @@ def select_sections(measured: Measured, part: slice) -> Measured:
         fits.stretch[part],
         fits.accepted[part],
     )
-    return Measured(
-        measured.frames[part], points, measured.removed[mine], fits, measured.noise[part]
+    return replace(
+        measured,
+        frames=measured.frames[part],
+        points=points,
+        removed=measured.removed[mine],
+        fits=fits,
+        noise=measured.noise[part],
+        at=measured.at[part],
     )

@@ -22,6 +22,7 @@ from .stop import Stop
 _REMEASURE_TURN = 0.06
 _MEASUREMENTS = 3
 _MOST_BENT = 0.4  # rad, turn of the edge within half a slab
+_MOST_SCATTER = 5.0  # times the noise, of the better side, at which it is no side any more
 _ENDING = 6.0  # pitches round the last edge point in which to see why a walk ended
 _FOREIGN = 6  # points there that make a surface
 _WIDER = (2.0, 4.0)  # of the slab, where it holds too few points
@@ -153,6 +154,8 @@ class PatchSection:
             stop = Stop.SMOOTH
         elif not np.isfinite(sigma) or sigma > 0.5 * max(begins) + 2.0 * settings.cloud_pitch:
             stop = Stop.LOST
+        elif noise > _MOST_SCATTER * settings.noise:
+            stop = Stop.CORNER
         return Station(measured, sigma, noise, begins, _cover(kept, fits), stop)
 
     def _fit(
@@ -181,12 +184,12 @@ class PatchSection:
         ball = self.cloud.tree.query_ball_point(frame.origin[0], _ENDING * pitch)
         index = np.asarray(ball, dtype=np.int64)
         points = section_points(frame, np.zeros_like(index), index, self.cloud.points[index])
-        clear = points.away > max(last.begins) + 0.5 * pitch
+        clear = points.away > min(max(last.begins), 3.0 * pitch) + 0.5 * pitch
         near = 4.0 * self.settings.noise + 0.05 * pitch + 0.1 * points.away
         expected = 0.5 * frame.curvature[0, points.side] * points.away**2
         foreign = clear & (np.abs(points.height - expected) > near)
-        # Points behind the last edge point belong to what has been walked along.
-        foreign &= points.along > -0.5 * pitch
+        # What lies farther back has been walked along.
+        foreign &= points.along > -2.5 * pitch
         ahead = points.along > 1.5 * pitch
         if foreign.sum() >= _FOREIGN:
             return Stop.CORNER
@@ -195,9 +198,7 @@ class PatchSection:
     def _plausible(self, frame: Frames, points: SectionPoints) -> np.ndarray:
         """Points near enough to the surface that the prediction expects."""
         expected = 0.5 * frame.curvature[points.owner, points.side] * points.away**2
-        allowed = (
-            4.0 * self.settings.noise + 0.5 * self.settings.cloud_pitch + 0.15 * points.away
-        )
+        allowed = 4.0 * self.settings.noise + 0.5 * self.settings.cloud_pitch + 0.15 * points.away
         begins = frame.rolled_over(self.settings.probe_radius)[points.owner]
         return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
 

@@ -27,10 +27,12 @@ class SoFar:
 
     @property
     def points(self) -> np.ndarray:
+        """Edge points in walking order, (m, 3) mm."""
         return np.array([station.frame.origin for station in self.stations]).reshape(-1, 3)
 
     @property
     def new_points(self) -> np.ndarray:
+        """Those that are new since the last update, (k, 3) mm."""
         return self.points[self.reported :]
 
 

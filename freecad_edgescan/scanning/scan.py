@@ -110,9 +110,7 @@ def _near(cloud: PointCloud, at: Point | Start, parameters: ScanParameters) -> n
     return cloud.points[index] if isinstance(at, Start) else wanted
 
 
-def _seed(
-    cloud: PointCloud, near: np.ndarray, start: Start | None, chosen: Chosen
-) -> Seed:
+def _seed(cloud: PointCloud, near: np.ndarray, start: Start | None, chosen: Chosen) -> Seed:
     settings = chosen.settings
     along = None if start is None else start.along
     within = None if start is None else settings.reach

@@ -87,9 +87,7 @@ def nearest_seed(
     return None
 
 
-def proposals(
-    cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float
-) -> list[Frames]:
+def proposals(cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float) -> list[Frames]:
     """Sections proposed by the pairs of directions that most normals share."""
     index = np.array(cloud.tree.query_ball_point(at, radius), dtype=np.int64)
     if len(index) < 12:
@@ -202,7 +200,7 @@ def _goes_on(cloud: PointCloud, seed: Seed, settings: PatchSettings) -> bool:
     for frame in (seed.station.frame, reversed_frame(seed.station.frame)):
         predicted = predict(frame, settings.edge_pitch)
         measured = section.settle(predicted, settings.half_width)
-        if not (measured.stop or jumped(predicted, measured, settings.edge_pitch)):
+        if not (measured.stop or jumped(seed.station, predicted, measured, settings.edge_pitch)):
             return True
     return False
 
@@ -240,4 +238,3 @@ def _weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
     order = np.argsort(values)
     half = np.searchsorted(np.cumsum(weights[order]), 0.5 * weights.sum())
     return float(values[order[min(half, len(order) - 1)]])
-

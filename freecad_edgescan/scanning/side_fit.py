@@ -95,9 +95,9 @@ def block_moments(points: SectionPoints, sections: int, reach: float) -> np.ndar
     away, height, along = (value / reach for value in (points.away, points.height, points.along))
     block = block_of(away)
     inside = (block >= 0) & (block < BLOCKS)
-    rows = np.stack(
-        [np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height], axis=1
-    )[inside]
+    rows = np.stack([np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height], axis=1)[
+        inside
+    ]
     bins = ((points.owner * 2 + points.side) * BLOCKS + block)[inside]
     products = rows[:, _PAIRS[0]] * rows[:, _PAIRS[1]]
     total = sections * 2 * BLOCKS
@@ -182,8 +182,7 @@ def choose_stretches(
     blocks = moments[..., _SQUARE[0]]
     number = np.maximum(blocks[..., 0], 1e-9)
     mean = (
-        blocks[:, :, None, :, 4]
-        - coefficients @ np.swapaxes(blocks[..., :4], -1, -2)
+        blocks[:, :, None, :, 4] - coefficients @ np.swapaxes(blocks[..., :4], -1, -2)
     ) / number[:, :, None]
     filled = blocks[..., 0] > 0
     allowed = np.sqrt(variance[..., None] * (1.0 / number + slack**2))
@@ -261,7 +260,7 @@ def _solve(
     curvature: np.ndarray,
     curvature_sigma: float | np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Coefficients, inverse normal matrix, sum of squares and count, for (…, 15) normal equations."""
+    """Coefficients, inverse normal matrix, sum of squares and count of (…, 15) moments."""
     full = summed[..., _SQUARE]
     normal, right = full[..., :_TERMS, :_TERMS], full[..., :_TERMS, _TERMS]
     weight = np.broadcast_to(

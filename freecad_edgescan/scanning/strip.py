@@ -24,7 +24,9 @@ def strip_points(
     """
     frames, spacing = path.frames, path.spacing
     stride = max(1, int(0.5 * reach / max(spacing, 1e-12)))
-    centres = frames.origin[np.unique(np.append(np.arange(0, len(frames), stride), len(frames) - 1))]
+    centres = frames.origin[
+        np.unique(np.append(np.arange(0, len(frames), stride), len(frames) - 1))
+    ]
     radius = float(np.hypot(reach, 0.5 * reach) + half_width)
     balls = cloud.tree.query_ball_point(centres, radius, return_sorted=False)
     index = np.unique(np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls]))
@@ -43,14 +45,9 @@ def strip_points(
         parts.append(
             found[(np.abs(found.along) <= half_width) & (found.away > 0) & (found.away < reach)]
         )
-    strip = SectionPoints(
+    return SectionPoints(
         *(
             np.concatenate([getattr(part, name) for part in parts])
             for name in ("index", "owner", "along", "side", "away", "height")
         )
     )
-    if path.closed:
-        return strip
-    # Where the edge ends in a corner, points at its very end may belong to the next surface.
-    place = path.at[strip.owner] + strip.along
-    return strip[(place >= path.at[0] + path.clear[0]) & (place <= path.at[-1] - path.clear[1])]

@@ -24,6 +24,7 @@ class Trace:
 
     @property
     def closed(self) -> bool:
+        """Whether the last station leads back to the first."""
         return self.stops[1] is Stop.CLOSED
 
 
@@ -57,7 +58,13 @@ def trace_both_ways(
         return Trace([first, *onward.stations], (Stop.START, Stop.CANCELLED))
     known = [first, *onward.stations]
     backward = walk(
-        section, turned(first), edge_pitch, half_width, longest_step, progress=progress, before=known
+        section,
+        turned(first),
+        edge_pitch,
+        half_width,
+        longest_step,
+        progress=progress,
+        before=known,
     )
     stations = [turned(station) for station in reversed(backward.stations)]
     return Trace([*stations, *known], (backward.stop, onward.stop))
@@ -88,6 +95,7 @@ class LineGate:
         self.gate, self.amplitude, self.approach = gate, amplitude, approach
 
     def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
+        """Whether the step crosses the gate's line."""
         upright = self.approach
         if upright is None:
             upright = np.cross(self.gate.across, after - before)
@@ -107,5 +115,6 @@ class PointGate:
         self.point, self.reach = point, reach
 
     def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
+        """Whether the step leads away from the point, near it."""
         was, now = (float(np.linalg.norm(p - self.point)) for p in (before, after))
         return was < self.reach and now > was

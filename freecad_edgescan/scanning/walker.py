@@ -71,7 +71,7 @@ def walk(
         predicted = predict(last.frame, step)
         width = half_width * float(np.clip(step / edge_pitch, 0.6, 1.0))
         measured = section.measure(predicted, width)
-        stop = measured.stop or jumped(predicted, measured, step)
+        stop = measured.stop or jumped(last, predicted, measured, step)
         if stop is not None:
             step *= 0.5
             if step >= _SHORTEST_STEP * edge_pitch:
@@ -110,9 +110,7 @@ def predict(frame: Frames, step: float) -> Frames:
 
 def reversed_frame(frame: Frames) -> Frames:
     """The same section, walked the other way."""
-    return frames_from_sides(
-        frame.origin, -frame.tangent, frame.sides, frame.bend, frame.curvature
-    )
+    return frames_from_sides(frame.origin, -frame.tangent, frame.sides, frame.bend, frame.curvature)
 
 
 def _carry(vectors: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
@@ -144,14 +142,14 @@ def _round_a_bend(
             bent = replace(frame, bend=(turn / step) * way[None])
             predicted = predict(bent, step)
             measured = section.measure(predicted, 0.6 * half_width)
-            if measured.stop or jumped(predicted, measured, step):
+            if measured.stop or jumped(last, predicted, measured, step):
                 continue
             if measured.sigma > 2.0 * max(last.sigma, measured.noise):
                 continue
             station = _steered(last, predicted, measured, step)
             onward = predict(station.frame, step)
             after = section.measure(onward, 0.6 * half_width)
-            if not (after.stop or jumped(onward, after, step)):
+            if not (after.stop or jumped(station, onward, after, step)):
                 return station
     return None
 
@@ -160,12 +158,13 @@ def _bend(station: Station) -> float:
     return max(float(np.linalg.norm(station.frame.bend)), 1e-12)
 
 
-def jumped(predicted: Frames, measured: Station, step: float) -> Stop | None:
+def jumped(last: Station, predicted: Frames, measured: Station, step: float) -> Stop | None:
     """Whether the measured section cannot be the predicted edge."""
     frame = measured.frame
     aside = frame.origin[0] - predicted.origin[0]
     aside = aside - (aside @ predicted.tangent[0]) * predicted.tangent[0]
-    if np.linalg.norm(aside) > 0.35 * step + 4.0 * measured.sigma:
+    known = min(measured.sigma, 3.0 * last.sigma)
+    if np.linalg.norm(aside) > 0.35 * step + 4.0 * known:
         return Stop.LOST
     cosine = float(frame.tangent[0] @ predicted.tangent[0])
     for k in range(2):
