@@ -40,7 +40,8 @@ def finish_edge(
     ScanError: the cloud holds probe centres and nothing tells on which side the air is.
     """
     settings = chosen.settings
-    noise = float(np.median([station.noise for station in trace.stations]))
+    met = float(np.median([station.noise for station in trace.stations]))
+    noise = max(met, 0.5 * settings.noise)
     path = path_along(
         trace,
         settings.edge_pitch,
