@@ -185,10 +185,15 @@ def choose_stretches(
         blocks[:, :, None, :, 4] - coefficients @ np.swapaxes(blocks[..., :4], -1, -2)
     ) / number[:, :, None]
     filled = blocks[..., 0] > 0
-    allowed = np.sqrt(variance[..., None] * (1.0 / number + slack**2))
+    # A block pulls the fit towards itself; what is left of its misfit is that of a fit without it.
+    centre = (blocks[..., :4] / number[..., None])[:, :, None]
+    leverage = np.sum((centre @ inverse) * centre, axis=-1)
+    free = np.maximum(1.0 / number[:, :, None] - leverage, 1e-3 / number[:, :, None])
+    tolerated = slack * free * number[:, :, None]
+    allowed = np.sqrt(variance[..., None, None] * (free + tolerated**2))
     within = (np.arange(BLOCKS) >= first[:, None]) & (np.arange(BLOCKS) < last[:, None])
     worst = np.max(
-        np.where(within & filled[:, :, None, :], np.abs(mean) / allowed[:, :, None], 0.0),
+        np.where(within & filled[:, :, None, :], np.abs(mean) / allowed, 0.0),
         axis=-1,
     )
     populated = np.sum(within & filled[:, :, None, :], axis=-1)
