@@ -10,6 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.scanning import scan_edge
 
 
 @dataclass(frozen=True)
@@ -168,3 +169,24 @@ def can():
 @pytest.fixture(scope="session")
 def cube():
     return make_cube
+
+
+def mahalanobis(part, edge):
+    """Distance of each edge point from the true straight edge in its own sigmas, (m,)."""
+    normals = edge.normals
+    axes = np.stack([normals[:, 0] + normals[:, 1], normals[:, 0] - normals[:, 1]], axis=1)
+    axes /= np.linalg.norm(axes, axis=-1, keepdims=True)
+    away = np.einsum("mai,mi->ma", axes, part.across(edge.points))
+    return np.sqrt(np.einsum("ma,mab,mb->m", away, np.linalg.inv(edge.covariance), away))
+
+
+@pytest.fixture(scope="session")
+def sigmas_away():
+    return mahalanobis
+
+
+@pytest.fixture(scope="session")
+def right_angle():
+    """A sharp right-angled wedge and its edge, scanned from one click."""
+    part = make_wedge(90.0)
+    return part, scan_edge(part.cloud, part.at(0.1, 0.4))
