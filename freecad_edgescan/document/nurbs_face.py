@@ -156,7 +156,7 @@ class NurbsFace:
         import FreeCAD
 
         surface = self._face.Surface
-        found = [surface.parameter(FreeCAD.Vector(*point)) for point in points.tolist()]
+        found = [surface.parameter(FreeCAD.Vector(*point)) for point in points]
         return self._clipped(np.array(found, dtype=float).reshape(-1, 2))
 
     def _clipped(self, uv: Array) -> Array:

@@ -121,7 +121,7 @@ def _normals(face: Any, edge: Any, points: Array) -> Array:
 
     surface = face.Surface
     found = []
-    for point in points.tolist():
+    for point in points:
         u, v = surface.parameter(FreeCAD.Vector(*point))
         found.append(surface.normal(u, v))
     outward = -1.0 if face.Orientation == "Reversed" else 1.0

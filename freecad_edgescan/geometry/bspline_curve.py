@@ -271,7 +271,7 @@ class BSplineCurve:
             u = self._inside(start)
         away = self.evaluate(u) - asked
         square = np.sum(away**2, axis=1)
-        active = np.arange(len(asked))
+        active: NDArray[np.intp] = np.arange(len(asked))
         first, last = self.parameter_range
         for _ in range(30):
             if not len(active):

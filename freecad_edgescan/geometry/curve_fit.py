@@ -166,7 +166,7 @@ def _grown(data: WeightedPoints, degree: int, tolerance: float | None) -> _Fit:
     different = np.unique(data.parameters)
     degree = min(degree, len(different) - 1)
     spans = max(degree + 1, min(4, len(different))) if data.closed else 1
-    breaks = np.linspace(0.0, data.period, spans + 1)
+    breaks = np.linspace(0.0, data.period, spans + 1, dtype=np.float64)
     tried = []
     while True:
         fit = _solved(data, breaks, degree)
@@ -228,7 +228,7 @@ def _thinned(data: WeightedPoints, fit: _Fit, tolerance: float | None) -> _Fit:
 def _not_adjacent(order: NDArray[np.intp]) -> NDArray[np.intp]:
     """The best first, leaving out neighbours of those already taken."""
     taken: set[int] = set()
-    for place in order.tolist():
+    for place in map(int, order):
         if place - 1 not in taken and place + 1 not in taken:
             taken.add(place)
     return np.array(sorted(taken), dtype=np.intp)

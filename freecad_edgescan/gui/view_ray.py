@@ -32,7 +32,7 @@ def view_ray(view: Any, position: tuple[int, int], pixels: float = PICK_PIXELS) 
     length = float(np.linalg.norm(far - near))
     first = float(np.linalg.norm(near_aside - near))
     last = float(np.linalg.norm(far_aside - far))
-    return ViewRay(near, (far - near) / length, first, (last - first) / length)
+    return ViewRay(near, np.divide(far - near, length), first, (last - first) / length)
 
 
 def _line(view: Any, x: int, y: int) -> tuple[Array, Array]:

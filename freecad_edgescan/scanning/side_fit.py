@@ -27,8 +27,7 @@ BLOCK_EDGES = (np.arange(BLOCKS + 1) / BLOCKS) ** 1.5
 _TERMS = 4
 _PAIRS = np.triu_indices(_TERMS + 1)
 _SQUARE = np.zeros((_TERMS + 1, _TERMS + 1), dtype=np.int64)
-_SQUARE[_PAIRS] = np.arange(len(_PAIRS[0]))
-_SQUARE = np.maximum(_SQUARE, _SQUARE.T)
+_SQUARE[_PAIRS] = _SQUARE.T[_PAIRS] = np.arange(len(_PAIRS[0]))
 
 # How much better a stretch that covers little of the side must know it (a power of its share).
 _COVERAGE = 4

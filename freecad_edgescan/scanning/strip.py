@@ -38,9 +38,7 @@ def strip_points(
         owner = nearest + step
         if path.closed:
             owner %= len(frames)
-            rows = np.arange(len(owner))
-        else:
-            rows = np.flatnonzero((owner >= 0) & (owner < len(frames)))
+        rows = np.flatnonzero((owner >= 0) & (owner < len(frames)))
         found = section_points(frames, owner[rows], index[rows], points[rows])
         parts.append(
             found[(np.abs(found.along) <= half_width) & (found.away > 0) & (found.away < reach)]
