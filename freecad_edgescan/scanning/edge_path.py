@@ -87,7 +87,8 @@ def path_along(
         points[-1] = points[0]
     knots = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
     # The residuals lie in the two directions across the edge: twice as many as there are points.
-    spline, _ = splprep(points.T, w=weights, u=knots, k=3, s=1.5 * len(points), per=closed)
+    smoothing = 2.0 * len(points) * _misjudgement(knots, points, weights)
+    spline, _ = splprep(points.T, w=weights, u=knots, k=3, s=smoothing, per=closed)
     fine = np.linspace(knots[0], knots[-1], 8 * len(points))
     length = np.append(
         0.0, np.cumsum(np.linalg.norm(np.diff(np.array(splev(fine, spline)), axis=1), axis=0))
@@ -125,3 +126,30 @@ def _derivatives(spline: tuple, place: np.ndarray) -> tuple[np.ndarray, np.ndarr
     tangent = first / speed
     bend = (second - np.einsum("mi,mi->m", second, tangent)[:, None] * tangent) / speed**2
     return origin, tangent, bend
+
+
+def _misjudgement(place: np.ndarray, points: np.ndarray, weights: np.ndarray) -> float:
+    """How much larger the scatter of points is than their sigmas say, squared.
+
+    Each point is compared with the cubic through its two neighbours on each side, which a smooth
+    edge follows closely however it bends.
+    """
+    if len(points) < 8:
+        return 1.0
+    steps = np.array([-2, -1, 1, 2])
+    middle = np.arange(2, len(points) - 2)
+    at = place[middle[:, None] + steps] - place[middle, None]
+    share = np.ones(at.shape)
+    for k in range(4):
+        for other in range(4):
+            if other != k:
+                share[:, k] *= at[:, other] / (at[:, other] - at[:, k])
+    off = points[middle] - np.einsum("mk,mki->mi", share, points[middle[:, None] + steps])
+    chord = points[middle + 1] - points[middle - 1]
+    chord /= np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), 1e-12)
+    off -= np.einsum("mi,mi->m", off, chord)[:, None] * chord
+    variance = 1.0 / weights**2
+    expected = variance[middle] + np.sum(share**2 * variance[middle[:, None] + steps], axis=1)
+    # The median of chi-square with two degrees of freedom is 1.386.
+    ratio = np.median(np.sum(off**2, axis=1) / expected) / 1.386
+    return float(np.clip(ratio, 0.3, 30.0))

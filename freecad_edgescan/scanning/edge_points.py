@@ -14,32 +14,18 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.ndimage import convolve1d, percentile_filter
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners
 from .edge_path import EdgePath
 from .patch_section import PatchSettings
+from .pooling import agreed_stretches, cleaned, evened_moments, shared_curvature
 from .section import Frames, SectionPoints
-from .side_fit import (
-    PRIOR_SIGMA,
-    SideFits,
-    block_counts,
-    block_moments,
-    choose_stretches,
-    fit_summed,
-    shift_along,
-    sum_stretches,
-    without_crowds,
-)
+from .side_fit import SideFits, fit_summed, shift_along, sum_stretches
 from .stop import Stop
 from .strip import strip_points
 
-_POOLED = 4  # sections on each side that decide together
-_CLEANINGS = 2
 _NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
-_STRIDE = 3  # sections from one decision to the next
-_POOLED_CURVATURE = 8
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
@@ -81,43 +67,35 @@ def measure_together(
     path : sections along the edge
     noise : standard deviation of the points along the normal, mm
     """
-    frames, reach, closed = path.frames, settings.reach, path.closed
-    everything = strip_points(cloud, path, reach, settings.half_width)
-    plausible = _plausible(frames, everything, settings, noise)
-    extent = _extent(everything[plausible], path, settings.cloud_pitch)
-    place = path.at[everything.owner] + everything.along
-    clear = [settings.cloud_pitch * (end is Stop.CORNER) for end in path.ends]
-    # At a corner the points at the very end may belong to the next surface.
-    plausible &= (place >= extent[0] + clear[0]) & (place <= extent[1] - clear[1])
-    points = everything[plausible]
-    mode = "wrap" if closed else "constant"
-    pooled = _pooled_fits(points, frames, settings, noise, mode, None)
-    removed = np.zeros(len(points.index), dtype=bool)
-    for _ in range(_CLEANINGS):
-        spread = np.sqrt(pooled.variance) * reach
-        limit = 3.5 * np.maximum(spread, 0.5 * noise)
-        removed = np.abs(pooled.residuals(points)) > limit[points.owner, points.side]
-        lost = block_counts(points[removed], len(frames), reach)
-        left = block_counts(points[~removed], len(frames), reach)
-        lost, left = (_pool(x.astype(float), _POOLED, mode) for x in (lost, left))
-        pooled = _pooled_fits(
-            points[~removed], frames, settings, noise, mode, lost > 0.25 * (lost + left)
-        )
-    moments = _evened_moments(points[~removed], frames, settings)
-    stretch = _agreed_stretches(pooled.stretch, "wrap" if closed else "nearest")
-    curvature, curvature_sigma = _shared_curvature(pooled, mode)
-    local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
+    points, plausible, extent = _strip(cloud, path, settings, noise)
+    pooled, outliers = cleaned(points[plausible], path, settings, noise)
+    used = plausible.copy()
+    used[plausible] = ~outliers
+    stretch = agreed_stretches(pooled.stretch, path)
     fits = _supplied_fits(
-        sum_stretches(moments, stretch),
+        sum_stretches(evened_moments(points[used], path, settings), stretch),
         replace(pooled, stretch=stretch),
-        (curvature, curvature_sigma),
+        shared_curvature(pooled, path),
         path,
         settings.half_width,
     )
-    gone = np.ones(len(everything.index), dtype=bool)
-    gone[np.flatnonzero(plausible)[~removed]] = False
-    outside = ~_in_stretch(everything, fits)
-    return Measured(frames, everything, gone | outside, fits, local, path.at, extent)
+    removed = ~used | ~_in_stretch(points, fits)
+    local = np.sqrt(pooled.variance) * pooled.reach
+    return Measured(path.frames, points, removed, fits, local, path.at, extent)
+
+
+def _strip(
+    cloud: PointCloud, path: EdgePath, settings: PatchSettings, noise: float
+) -> tuple[SectionPoints, np.ndarray, tuple[float, float]]:
+    """Points of the strip, which of them may belong to the sides, and where the sides end."""
+    points = strip_points(cloud, path, settings.reach, settings.half_width)
+    plausible = _plausible(path.frames, points, settings, noise)
+    first, last = extent = _extent(points[plausible], path, settings.cloud_pitch)
+    place = path.at[points.owner] + points.along
+    # At a corner the points at the very end may belong to the next surface.
+    clear = [settings.cloud_pitch * (end is Stop.CORNER) for end in path.ends]
+    plausible &= (place >= first + clear[0]) & (place <= last - clear[1])
+    return points, plausible, extent
 
 
 def _supplied_fits(
@@ -174,76 +152,6 @@ def _neighbours(own: np.ndarray, path: EdgePath, step: int, reach: float) -> np.
     there = np.isfinite(ahead)
     seen = shift_along(np.roll(own, -step, axis=0), np.where(there, ahead, 0.0) / reach)
     return seen * there[:, None, None]
-
-
-def _pooled_fits(
-    points: SectionPoints,
-    frames: Frames,
-    settings: PatchSettings,
-    noise: float,
-    mode: str,
-    doubtful: np.ndarray | None,
-) -> SideFits:
-    """Stretches decided on pooled points at every few sections, and fitted at every one."""
-    reach = settings.reach
-    moments = _pool(_evened_moments(points, frames, settings), _POOLED, mode)
-    expected = frames.curvature * reach
-    few = np.arange(0, len(frames), _STRIDE)
-    chosen = choose_stretches(
-        moments[few],
-        reach,
-        noise,
-        expected[few],
-        slack=0.05,
-        scatter=1.8,
-        doubtful=None if doubtful is None else doubtful[few],
-    )
-    nearest = np.minimum((np.arange(len(frames)) + _STRIDE // 2) // _STRIDE, len(few) - 1)
-    stretch = chosen.stretch[nearest]
-    fits = fit_summed(
-        sum_stretches(moments, stretch),
-        reach,
-        np.full(expected.shape, noise),
-        stretch,
-        expected,
-        np.full(expected.shape, PRIOR_SIGMA[2]),
-    )
-    return replace(fits, accepted=fits.accepted & chosen.accepted[nearest])
-
-
-def _evened_moments(points: SectionPoints, frames: Frames, settings: PatchSettings) -> np.ndarray:
-    moments = block_moments(points, len(frames), settings.reach)
-    return without_crowds(moments, settings.reach, settings.half_width, settings.cloud_pitch)
-
-
-def _pool(values: np.ndarray, width: int, mode: str) -> np.ndarray:
-    """Sum over the neighbouring sections."""
-    width = min(width, (len(values) - 1) // 2)
-    if width < 1:
-        return values
-    return convolve1d(values, np.ones(2 * width + 1), axis=0, mode=mode, cval=0.0)
-
-
-def _agreed_stretches(stretch: np.ndarray, mode: str) -> np.ndarray:
-    """Begin late and end early where neighbours differ: a rounding in the fit costs more."""
-    window = (min(2 * _POOLED + 1, len(stretch)), 1)
-    begins = percentile_filter(stretch[..., 0], 75, size=window, mode=mode)
-    ends = percentile_filter(stretch[..., 1], 25, size=window, mode=mode)
-    narrow = (ends - begins < 2)[..., None]
-    return np.where(narrow, stretch, np.stack([begins, ends], axis=-1))
-
-
-def _shared_curvature(pooled: SideFits, mode: str) -> tuple[np.ndarray, np.ndarray]:
-    """Curvature of each side that neighbours agree on, and how far one may be from it."""
-    own = pooled.coefficients[..., 2]
-    variance = np.maximum(pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
-    weight = 1.0 / variance
-    total = _pool(weight, _POOLED_CURVATURE, mode)
-    mean = _pool(weight * own, _POOLED_CURVATURE, mode) / total
-    # Pooled windows overlap 2·_POOLED + 1 times; what scatters beyond that is real change.
-    scatter = _pool(weight * np.square(own - mean), _POOLED_CURVATURE, mode) / total
-    known = (2 * _POOLED + 1) / total
-    return mean, np.sqrt(scatter + known + 1e-8)
 
 
 def _plausible(

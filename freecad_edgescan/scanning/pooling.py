@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What neighbouring sections decide together: outliers, stretches, and how the sides are curved.
+
+A rounding begins at the same distance from the edge along many sections, and the sides keep their
+curvature. Normal equations summed over a few sections on each side see it with many times the
+points of one section.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.ndimage import convolve1d, percentile_filter
+
+from .edge_path import EdgePath
+from .patch_section import PatchSettings
+from .section import SectionPoints
+from .side_fit import (
+    PRIOR_SIGMA,
+    SideFits,
+    block_counts,
+    block_moments,
+    choose_stretches,
+    fit_summed,
+    sum_stretches,
+    without_crowds,
+)
+
+_POOLED = 4  # sections on each side that decide together
+_STRIDE = 3  # sections from one decision to the next
+_POOLED_CURVATURE = 8
+_CLEANINGS = 2
+
+
+def cleaned(
+    points: SectionPoints, path: EdgePath, settings: PatchSettings, noise: float
+) -> tuple[SideFits, np.ndarray]:
+    """Pooled sides without outliers, and which points are outliers (n,).
+
+    A block that loses many of its points, as where a rounding begins, is not used: the points it
+    keeps only look like the side.
+    """
+    pooled = _decide(points, path, settings, noise, None)
+    removed = np.zeros(len(points.index), dtype=bool)
+    for _ in range(_CLEANINGS):
+        limit = 3.5 * np.maximum(np.sqrt(pooled.variance) * pooled.reach, 0.5 * noise)
+        removed = np.abs(pooled.residuals(points)) > limit[points.owner, points.side]
+        lost, left = (
+            _pool(block_counts(points[part], len(path), pooled.reach).astype(float), path)
+            for part in (removed, ~removed)
+        )
+        doubtful = lost > 0.25 * (lost + left)
+        pooled = _decide(points[~removed], path, settings, noise, doubtful)
+    return pooled, removed
+
+
+def agreed_stretches(stretch: np.ndarray, path: EdgePath) -> np.ndarray:
+    """Begin late and end early where neighbours differ: a rounding in the fit costs more."""
+    window = (min(2 * _POOLED + 1, len(stretch)), 1)
+    mode = "wrap" if path.closed else "nearest"
+    begins = percentile_filter(stretch[..., 0], 75, size=window, mode=mode)
+    ends = percentile_filter(stretch[..., 1], 25, size=window, mode=mode)
+    narrow = (ends - begins < 2)[..., None]
+    return np.where(narrow, stretch, np.stack([begins, ends], axis=-1))
+
+
+def shared_curvature(pooled: SideFits, path: EdgePath) -> tuple[np.ndarray, np.ndarray]:
+    """Curvature of each side that neighbours agree on, and how far one may be from it."""
+    own = pooled.coefficients[..., 2]
+    variance = np.maximum(pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
+    weight = 1.0 / variance
+    total = _pool(weight, path, _POOLED_CURVATURE)
+    mean = _pool(weight * own, path, _POOLED_CURVATURE) / total
+    # Pooled windows overlap 2·_POOLED + 1 times; what scatters beyond that is real change.
+    scatter = _pool(weight * np.square(own - mean), path, _POOLED_CURVATURE) / total
+    known = (2 * _POOLED + 1) / total
+    return mean, np.sqrt(scatter + known + 1e-8)
+
+
+def evened_moments(points: SectionPoints, path: EdgePath, settings: PatchSettings) -> np.ndarray:
+    """Normal equations of every section's blocks, crowded ones weighted down."""
+    moments = block_moments(points, len(path), settings.reach)
+    return without_crowds(moments, settings.reach, settings.half_width, settings.cloud_pitch)
+
+
+def _decide(
+    points: SectionPoints,
+    path: EdgePath,
+    settings: PatchSettings,
+    noise: float,
+    doubtful: np.ndarray | None,
+) -> SideFits:
+    """Stretches decided on pooled points at every few sections, and fitted at every one."""
+    reach = settings.reach
+    moments = _pool(evened_moments(points, path, settings), path)
+    expected = path.frames.curvature * reach
+    few = np.arange(0, len(path), _STRIDE)
+    chosen = choose_stretches(
+        moments[few],
+        reach,
+        noise,
+        expected[few],
+        slack=0.05,
+        scatter=1.8,
+        doubtful=None if doubtful is None else doubtful[few],
+    )
+    nearest = np.minimum((np.arange(len(path)) + _STRIDE // 2) // _STRIDE, len(few) - 1)
+    stretch = chosen.stretch[nearest]
+    fits = fit_summed(
+        sum_stretches(moments, stretch),
+        reach,
+        np.full(expected.shape, noise),
+        stretch,
+        expected,
+        np.full(expected.shape, PRIOR_SIGMA[2]),
+    )
+    return replace(fits, accepted=fits.accepted & chosen.accepted[nearest])
+
+
+def _pool(values: np.ndarray, path: EdgePath, width: int = _POOLED) -> np.ndarray:
+    """Sum over the neighbouring sections."""
+    width = min(width, (len(values) - 1) // 2)
+    if width < 1:
+        return values
+    return convolve1d(
+        values, np.ones(2 * width + 1), axis=0, mode="wrap" if path.closed else "constant", cval=0.0
+    )
