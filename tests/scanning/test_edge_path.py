@@ -4,6 +4,10 @@ import pytest
 
 from freecad_edgescan.scanning.edge_path import path_along
 from freecad_edgescan.scanning.section import Station, frames_from_sides
+from freecad_edgescan.scanning.stop import Stop
+from freecad_edgescan.scanning.trace import Trace
+
+OPEN, CLOSED = (Stop.CLOUD_END, Stop.CORNER), (Stop.CLOSED, Stop.CLOSED)
 
 
 def stations_on(curve, parameters, noise=0.0):
@@ -32,7 +36,7 @@ def ellipse(a):
 @pytest.mark.parametrize("curve", [circle, helix])
 def test_sections_stand_on_the_edge_one_pitch_apart(curve):
     a = np.linspace(0.1, 4, 50)
-    path = path_along(stations_on(curve, a), False, 0.5)
+    path = path_along(Trace(stations_on(curve, a), OPEN), 0.5)
     rise = 0.0 if curve is circle else 3.0
     size = np.hypot(10, rise)
     where = np.arctan2(path.frames.origin[:, 1], path.frames.origin[:, 0]) % (2 * np.pi)
@@ -49,14 +53,14 @@ def test_sections_stand_on_the_edge_one_pitch_apart(curve):
 
 def test_a_noisy_walk_is_smoothed_within_its_noise():
     a = np.linspace(0, 4, 80)
-    path = path_along(stations_on(circle, a, 0.03), False, 0.5)
+    path = path_along(Trace(stations_on(circle, a, 0.03), OPEN), 0.5)
     away = np.hypot(path.frames.origin[:, 0], path.frames.origin[:, 1]) - 10.0
     assert np.hypot(away, path.frames.origin[:, 2]).max() < 0.06
 
 
 def test_a_closed_edge_has_even_sections_across_its_seam():
     a = np.linspace(0, 2 * np.pi, 60, endpoint=False)
-    path = path_along(stations_on(circle, a), True, 0.8)
+    path = path_along(Trace(stations_on(circle, a), CLOSED), 0.8)
     origin = path.frames.origin
     steps = np.linalg.norm(np.roll(origin, -1, axis=0) - origin, axis=1)
     assert steps == pytest.approx(np.full(len(path), steps.mean()), rel=0.02)
@@ -66,7 +70,7 @@ def test_a_closed_edge_has_even_sections_across_its_seam():
 
 
 def test_beyond_the_ends_of_an_open_edge_there_is_nothing():
-    path = path_along(stations_on(circle, np.linspace(0, 2, 30)), False, 0.5)
+    path = path_along(Trace(stations_on(circle, np.linspace(0, 2, 30)), OPEN), 0.5)
     assert np.isnan(path.ahead(2)).nonzero()[0].tolist() == [len(path) - 2, len(path) - 1]
     assert np.isnan(path.ahead(-1)).nonzero()[0].tolist() == [0]
     assert path.ahead(2)[0] == pytest.approx(path.at[2])
@@ -75,7 +79,7 @@ def test_beyond_the_ends_of_an_open_edge_there_is_nothing():
 def test_with_a_chord_height_sections_lie_dense_where_the_edge_bends():
     """The chord between two sections deviates by the chord height, within the limits of pitch."""
     a = np.linspace(0, 2 * np.pi, 120, endpoint=False)
-    path = path_along(stations_on(ellipse, a), True, 1.5, chord_height=0.05)
+    path = path_along(Trace(stations_on(ellipse, a), CLOSED), 1.5, chord_height=0.05)
     steps = np.diff(path.at)
     where = np.arctan2(path.frames.origin[:, 1] / 8, path.frames.origin[:, 0] / 20)
     bend = 160 / np.hypot(20 * np.sin(where), 8 * np.cos(where)) ** 3
@@ -87,13 +91,15 @@ def test_with_a_chord_height_sections_lie_dense_where_the_edge_bends():
 
 def test_sections_never_lie_nearer_than_the_least_pitch():
     a = np.linspace(0, 2 * np.pi, 120, endpoint=False)
-    path = path_along(stations_on(ellipse, a), True, 1.5, least_pitch=1.2, chord_height=0.01)
+    path = path_along(
+        Trace(stations_on(ellipse, a), CLOSED), 1.5, least_pitch=1.2, chord_height=0.01
+    )
     assert np.diff(path.at).min() > 1.15
 
 
 def test_a_walk_of_a_few_steps_keeps_its_sections():
     stations = stations_on(circle, np.linspace(0, 0.3, 4))
-    path = path_along(stations, False, 0.5)
+    path = path_along(Trace(stations, OPEN), 0.5)
     assert len(path) == 4
     assert path.frames.origin == pytest.approx(circle(np.linspace(0, 0.3, 4)))
     assert path.at[0] == 0.0 and path.at[-1] == path.length
