@@ -3,7 +3,7 @@
 
 1. the core-box cloud, as the published case study scanned its part;
 2. its rims, each from a start to a gate;
-3. per pipe an arc profile at each end, a sweep of one and a loft through both;
+3. per pipe arc profiles from end to end, a native sweep of the first and a loft through all;
 4. a document, a STEP file, a table of edge points, and pictures.
 """
 
@@ -19,21 +19,18 @@ import FreeCAD
 import numpy as np
 
 from ..cloud import CoreBox, TrueEdge
-from ..experiments import draw_edges
-from ..geometry import distance_to_polyline
+from ..experiments import draw_errors, draw_section
 from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start
-from .arc_profile import make_arc_profile
 from .cloud_object import make_cloud
+from .demo_pipes import DemoSurface, make_pipe
 from .export import export_step
 from .scanned_edge import make_scanned_edge, scan_again, write_result
-from .section_picture import draw_section
-from .sweeps import make_loft, make_sweep
 
 __all__ = ["DemoEdge", "make_demo"]
 
-AMPLITUDE = 22.0  # mm; less finds no wall where the walls run along the scan lines
 NAME = "corebox"
-_ENDS = (0.04, 0.96)  # where the profiles stand, as shares of the first rail
+_BESIDE = 20.0  # pitches, twice the distance of starts and gates from the rims
+_PROFILES = 17  # per pipe; fewer, and the loft leaves the wall in the bends
 
 
 @dataclass(frozen=True)
@@ -47,7 +44,7 @@ class DemoEdge:
     @property
     def errors(self) -> np.ndarray:
         """Distances of the edge points from the true edge, (m,) mm."""
-        return distance_to_polyline(self.edge.points, self.truth.points, self.truth.closed)[0]
+        return self.truth.distance(self.edge.points)
 
 
 def make_demo(
@@ -55,7 +52,8 @@ def make_demo(
     progress: Progress | None = None,
     box: CoreBox | None = None,
     pitch: float = 0.5,
-    amplitude: float = AMPLITUDE,
+    amplitude: float | None = None,
+    profiles: int = _PROFILES,
 ) -> str:
     """Run the demonstration.
 
@@ -65,11 +63,12 @@ def make_demo(
     progress : told the share that is done; where it answers False, what there is so far is kept
     box : the part; None: the case study's at full size
     pitch : of the simulated scan, mm
-    amplitude : of the scan lines, mm
+    amplitude : of the scan lines, mm; None: automatic
+    profiles : how many the loft of each pipe goes through
 
     Returns
     -------
-    The table that compares the edges with the truth, and what was written, as text.
+    The tables that compare edges and surfaces with the truth, and what was written, as text.
     """
     target = Path(folder)
     target.mkdir(parents=True, exist_ok=True)
@@ -81,22 +80,30 @@ def make_demo(
     try:
         cloud = make_cloud(doc, numbers, name="CoreBox")
         cloud.Label = "Core box"
-        rows, rails = _scan_rims(doc, cloud, box, amplitude, steps)
+        places = amplitude or _BESIDE * pitch
+        rows, rails = _scan_rims(
+            doc, cloud, box, ScanParameters(amplitude=amplitude), places, steps
+        )
         steps.begin("sweeping and lofting")
-        notes = _make_pipes(doc, cloud, rails)
+        surfaces, notes = _make_pipes(doc, cloud, box, rails, profiles)
         notes += _write(target, doc, numbers, rows)
     finally:
         FreeCAD.closeDocument(doc.Name)
-    return "\n".join([_table(rows), *notes])
+    return "\n".join([_table(rows), "", _surface_table(surfaces), "", *notes])
 
 
 def _scan_rims(
-    doc: Any, cloud: Any, box: CoreBox, amplitude: float, steps: _Steps
+    doc: Any,
+    cloud: Any,
+    box: CoreBox,
+    parameters: ScanParameters,
+    places: float,
+    steps: _Steps,
 ) -> tuple[list[DemoEdge], list[Any]]:
     """Scan each rim of the box; a rim that was not found leaves None among the rails."""
     rows: list[DemoEdge] = []
     rails: list[Any] = []
-    ways = zip(box.edges, box.starts(amplitude), box.gates(amplitude), strict=True)
+    ways = zip(box.edges, box.starts(places), box.gates(places), strict=True)
     for truth, start, gate in ways:
         steps.begin(truth.name)
         rail = make_scanned_edge(
@@ -104,7 +111,7 @@ def _scan_rims(
             cloud,
             at=Start(*start),
             gate=Gate(*gate),
-            parameters=ScanParameters(amplitude=amplitude),
+            parameters=parameters,
             name=truth.name.title().replace(" ", ""),
         )
         began = perf_counter()
@@ -121,31 +128,20 @@ def _scan_rims(
     return rows, rails
 
 
-def _make_pipes(doc: Any, cloud: Any, rails: list[Any]) -> list[str]:
-    """Profiles, sweep and loft between each pair of rails; what could not be made, as sentences."""
-    notes = []
-    for number, pair in enumerate(zip(rails[::2], rails[1::2], strict=True), start=1):
-        if None in pair:
+def _make_pipes(
+    doc: Any, cloud: Any, box: CoreBox, rails: list[Any], profiles: int
+) -> tuple[list[DemoSurface], list[str]]:
+    """Sweep and loft between each pair of rails; what could not be made, as sentences."""
+    surfaces, notes = [], []
+    pairs = zip(rails[::2], rails[1::2], box.pipes, strict=True)
+    for number, (left, right, pipe) in enumerate(pairs, start=1):
+        if left is None or right is None:
             continue
         try:
-            profiles = [
-                make_arc_profile(doc, cloud, pair, share, name=f"Pipe{number}Profile")
-                for share in _ENDS
-            ]
+            surfaces += make_pipe(doc, cloud, (left, right), pipe, number, profiles)
         except ValueError as error:
             notes.append(f"Pipe {number}: {error}")
-            continue
-        made = [
-            make_sweep(doc, profiles[0], pair[0], name=f"Pipe{number}Sweep"),
-            make_loft(doc, profiles, name=f"Pipe{number}Loft"),
-        ]
-        doc.recompute()
-        notes += [
-            f"{obj.Label} could not be made ({obj.getStatusString()})."
-            for obj in made
-            if obj.Shape.isNull() or not obj.Shape.isValid()
-        ]
-    return notes
+    return surfaces, notes
 
 
 def _write(target: Path, doc: Any, numbers: Any, rows: list[DemoEdge]) -> list[str]:
@@ -166,7 +162,7 @@ def _write(target: Path, doc: Any, numbers: Any, rows: list[DemoEdge]) -> list[s
     if rows:
         try:
             edges = [row.edge for row in rows]
-            draw_edges(numbers, edges, target / f"{NAME}.png")
+            draw_errors(numbers, edges, [row.truth for row in rows], target / f"{NAME}.png")
             draw_section(edges[-1], len(edges[-1].points) // 2, target / f"{NAME}-section.png")
             written += [f"{NAME}.png", f"{NAME}-section.png"]
         except ValueError as error:
@@ -194,6 +190,21 @@ def _table(rows: list[DemoEdge]) -> str:
         f"{row.seconds:8.2f}"
         for row in rows
     ]
+    return "\n".join(lines)
+
+
+def _surface_table(surfaces: list[DemoSurface]) -> str:
+    lines = [
+        "surface        profiles   valid   average   maximum",
+        "                                  distance from the true wall, mm",
+    ]
+    for surface in surfaces:
+        valid = "yes" if surface.valid else "no"
+        line = f"{surface.name:<14} {surface.profiles:8d}   {valid:<5}"
+        if surface.valid:
+            line += f"  {surface.deviation.mean():8.4f}  {surface.deviation.max():8.4f}"
+        lines.append(line)
+    lines.append("A native sweep moves one profile: it cannot follow the pipes, which narrow.")
     return "\n".join(lines)
 
 

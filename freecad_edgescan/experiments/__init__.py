@@ -2,6 +2,8 @@
 """Experiments: what the method achieves, measured; arrays and tables out."""
 
 from .edge_picture import draw_edges
+from .error_picture import draw_errors
+from .section_picture import draw_section
 from .speed import Speed, measure_speed
 
-__all__ = ["Speed", "draw_edges", "measure_speed"]
+__all__ = ["Speed", "draw_edges", "draw_errors", "draw_section", "measure_speed"]

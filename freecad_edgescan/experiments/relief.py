@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import ndimage
+from scipy.spatial import cKDTree
 
 __all__ = ["Relief", "relief"]
 
@@ -15,6 +16,8 @@ Array = NDArray[np.float64]
 
 LIGHT = np.array([-0.4, 0.5, 0.77])  # from the upper left, before the viewer
 MOST_PIXELS = 900  # along the longer side
+NEIGHBOURS = 5  # the farthest of so many, itself included, tells how sparse points are
+SPREADS = (3, 5, 9, 17)  # pixels that sparse points may cover
 
 
 @dataclass(frozen=True)
@@ -71,7 +74,7 @@ def relief(points: Array, pitch: float, direction: ArrayLike) -> Relief:
     Parameters
     ----------
     points : (n, 3) array, mm
-    pitch : the cloud's pitch, mm; pixels are as wide, or wider where the picture would be large
+    pitch : the cloud's pitch, mm; pixels are half as wide, or wider where the picture were large
     direction : (3,) from the part towards the viewer
     """
     towards = np.asarray(direction, dtype=np.float64) / np.linalg.norm(direction)
@@ -81,12 +84,25 @@ def relief(points: Array, pitch: float, direction: ArrayLike) -> Relief:
     axes = np.stack([right, np.cross(towards, right), towards])
     seen = points @ axes.T
     size = np.ptp(seen[:, :2], axis=0)
-    cell = max(pitch, float(size.max()) / MOST_PIXELS)
+    cell = max(0.5 * pitch, float(size.max()) / MOST_PIXELS)
     low = seen[:, :2].min(axis=0) - 2 * cell
     columns, rows = (np.floor(size / cell) + 5).astype(int)
     column, row = np.floor((seen[:, :2] - low) / cell).astype(int).T
     depth = np.full((rows, columns), -np.inf)
-    np.maximum.at(depth, (row, column), seen[:, 2])
+    spread = _spreads(points, cell)
+    for pixels in (1, *SPREADS):
+        own = np.full((rows, columns), -np.inf)
+        mine = spread == pixels
+        np.maximum.at(own, (row[mine], column[mine]), seen[mine, 2])
+        depth = np.maximum(depth, ndimage.grey_dilation(own, size=(pixels, pixels)))
     depth = ndimage.grey_closing(depth, size=(3, 3))
     depth[np.isinf(depth)] = np.nan
     return Relief(axes, low, cell, depth)
+
+
+def _spreads(points: Array, cell: float) -> NDArray[np.intp]:
+    """How many pixels each point covers each way, so that sparse surfaces hide what is behind."""
+    tree = cKDTree(points, balanced_tree=False)
+    neighbours = min(NEIGHBOURS, len(points))
+    gap = tree.query(points, k=[neighbours])[0][:, 0] / cell
+    return np.array([1, *SPREADS])[np.searchsorted([1.2, *SPREADS[:-1]], gap)]

@@ -15,6 +15,7 @@ Part = pytest.importorskip("Part")
 from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.cloud import CoreBox  # noqa: E402
 from freecad_edgescan.document import demo  # noqa: E402
+from freecad_edgescan.document.demo_pipes import deviation_from_wall  # noqa: E402
 
 
 class Listener:
@@ -30,7 +31,7 @@ class Listener:
 
 
 def run(folder: Path, listener: Listener | None = None) -> str:
-    return document.make_demo(folder, listener, box=CoreBox.small(), amplitude=10.0)
+    return document.make_demo(folder, listener, box=CoreBox.small(), amplitude=10.0, profiles=5)
 
 
 def test_a_small_box_gives_edges_near_the_truth_and_all_files(tmp_path: Path) -> None:
@@ -52,8 +53,9 @@ def test_a_small_box_gives_edges_near_the_truth_and_all_files(tmp_path: Path) ->
     try:
         assert len(doc.findObjects("Part::Sweep")) == len(doc.findObjects("Part::Loft")) == 1
         assert all(obj.Shape.isValid() for obj in doc.Objects if hasattr(obj, "Shape"))
-        profiles = [obj.Shape.Curve.Radius for obj in doc.Objects if "Profile" in obj.Name]
-        np.testing.assert_allclose(profiles, [8.0, 7.0], atol=0.1)
+        profiles = doc.getObject("Pipe1Profiles").Group
+        radii = [profile.Shape.Curve.Radius for profile in profiles]
+        np.testing.assert_allclose([radii[0], radii[-1]], [8.0, 7.0], atol=0.1)
     finally:
         FreeCAD.closeDocument(doc.Name)
 
@@ -79,6 +81,24 @@ def test_cancelling_keeps_what_was_found(tmp_path: Path) -> None:
     table = run(tmp_path, Listener(cancel_at=0.4))
     assert "CANCELLED" in table
     assert (tmp_path / "corebox.csv").stat().st_size > 100
+
+
+def test_the_true_wall_of_a_pipe_is_where_its_ball_touches(tmp_path: Path) -> None:
+    box = CoreBox.small(probe_radius=0.0)
+    cloud = box.cloud(0.5, noise=0.0)
+    on_wall = cloud.points[cloud.labels == 1]
+    assert deviation_from_wall(box.pipes[0], on_wall).max() < 1e-3
+    inside = on_wall[on_wall[:, 2] < -2.0] + (0.0, 0.0, 0.5)
+    assert np.all(deviation_from_wall(box.pipes[0], inside) <= 0.5 + 1e-3)
+
+
+def test_the_loft_follows_the_pipe_and_the_sweep_of_one_profile_cannot(tmp_path: Path) -> None:
+    table = document.make_demo(tmp_path, box=CoreBox.small(), amplitude=10.0, profiles=9)
+    rows = {line[:12]: line.split() for line in table.splitlines() if line.startswith("pipe 1")}
+    sweep, loft = rows["pipe 1 sweep"], rows["pipe 1 loft "]
+    assert sweep[4] == loft[4] == "yes"
+    assert float(loft[5]) < 0.1
+    assert float(sweep[5]) > 3 * float(loft[5])
 
 
 @pytest.mark.slow

@@ -14,7 +14,14 @@ def test_a_sheet_seen_from_above_fills_its_extent_at_its_height() -> None:
     seen = relief(SHEET, pitch=0.5, direction=(0, 0, 1))
     filled = ~np.isnan(seen.depth)
     assert np.all(seen.depth[filled] == 0)
-    assert abs(filled.sum() * seen.cell**2 - 20 * 10) < 20
+    two_pixels_all_round = 2 * seen.cell * 2 * (20 + 10)
+    assert abs(filled.sum() * seen.cell**2 - 20 * 10) <= two_pixels_all_round
+
+
+def test_sparse_points_hide_what_is_behind_them() -> None:
+    sparse = SHEET[(SHEET[:, 0] % 2 == 0) & (SHEET[:, 1] % 2 == 0)]
+    seen = relief(sparse, pitch=0.5, direction=(0, 0, 1))
+    assert not seen.visible(SHEET[(SHEET[:, 0] < 18) & (SHEET[:, 1] < 8)] - (0, 0, 5)).any()
 
 
 def test_points_behind_the_sheet_are_hidden_and_points_before_it_are_not() -> None:

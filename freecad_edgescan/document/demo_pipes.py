@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pipes of the demonstration: profiles, a native sweep and a native loft, held against the truth.
+
+A native sweep moves one profile along one rail; where the pipe narrows it cannot follow. The loft
+goes through arc profiles measured at several places between the two rails, and can.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..cloud.half_pipe import HalfPipe
+from .arc_profile import make_arc_profile
+from .sweeps import make_loft, make_sweep
+
+__all__ = ["DemoSurface", "deviation_from_wall", "make_pipe"]
+
+Array = NDArray[np.float64]
+
+_ENDS = (0.04, 0.96)  # between these shares of the first rail the profiles stand
+_GRID = (160, 24)  # places on a surface, along and across
+_FINER = 4  # samples of the spine between two of the pipe's own
+
+
+@dataclass(frozen=True)
+class DemoSurface:
+    """One row of the demonstration's second table.
+
+    Attributes
+    ----------
+    name : what it is called
+    profiles : how many it goes through
+    valid : whether FreeCAD could make it and finds its shape valid
+    deviation : (k,) distances of places on it from the true wall, mm; none when it is not valid
+    """
+
+    name: str
+    profiles: int
+    valid: bool
+    deviation: Array
+
+
+def make_pipe(
+    doc: Any, cloud: Any, rails: tuple[Any, Any], truth: HalfPipe, number: int, profiles: int
+) -> list[DemoSurface]:
+    """Make the profiles, sweep and loft of one pipe, and measure them.
+
+    Parameters
+    ----------
+    doc : App.Document
+    cloud : Points::Feature
+    rails : the two scanned rims
+    truth : the exact pipe
+    number : of the pipe, for names
+    profiles : how many the loft goes through, two or more; the first one is swept
+
+    Raises
+    ------
+    ValueError: a profile could not be measured.
+    """
+    arcs = [
+        make_arc_profile(doc, cloud, rails, float(share), name=f"Pipe{number}Profile")
+        for share in np.linspace(*_ENDS, profiles)
+    ]
+    sweep = make_sweep(doc, arcs[0], rails[0], name=f"Pipe{number}Sweep")
+    loft = make_loft(doc, arcs, name=f"Pipe{number}Loft")
+    group = doc.addObject("App::DocumentObjectGroup", f"Pipe{number}Profiles")
+    group.addObjects(arcs)
+    doc.recompute()
+    return [
+        _measured(f"pipe {number} sweep", 1, sweep, truth),
+        _measured(f"pipe {number} loft", profiles, loft, truth),
+    ]
+
+
+def _measured(name: str, profiles: int, obj: Any, truth: HalfPipe) -> DemoSurface:
+    valid = not obj.Shape.isNull() and obj.Shape.isValid() and bool(obj.Shape.Faces)
+    deviation = deviation_from_wall(truth, _places(obj.Shape)) if valid else np.zeros(0)
+    return DemoSurface(name, profiles, valid, deviation)
+
+
+def _places(shape: Any) -> Array:
+    """Places (k, 3) on a grid over each face of a shape."""
+    places = []
+    for face in shape.Faces:
+        first_u, last_u, first_v, last_v = face.ParameterRange
+        for u in np.linspace(first_u, last_u, _GRID[0]).tolist():
+            for v in np.linspace(first_v, last_v, _GRID[1]).tolist():
+                place = face.valueAt(u, v)
+                places.append((place.x, place.y, place.z))
+    return np.array(places)
+
+
+def deviation_from_wall(pipe: HalfPipe, places: Array) -> Array:
+    """Distances (k,) of places (k, 3) from the wall of a pipe, mm.
+
+    The wall is the envelope of spheres along the spine: near it, the distance is that to the
+    nearest sphere.
+    """
+    own = pipe.parameters
+    fine = np.interp(np.arange(0, len(own) - 1, 1.0 / _FINER), np.arange(len(own)), own)
+    spheres = pipe.spine(fine)
+    deviation = np.empty(len(places))
+    for part in np.array_split(np.arange(len(places)), max(1, len(places) // 500)):
+        offset = places[part, None, :2] - spheres[:, :2]
+        distance = np.sqrt((offset**2).sum(axis=2) + places[part, 2:] ** 2)
+        deviation[part] = np.abs((distance - spheres[:, 2]).min(axis=1))
+    return deviation
