@@ -106,8 +106,8 @@ def test_circles_moved_by_the_probe_meet_where_circles_do(bends, offset, degrees
             for c, r, bend in zip(centres, (9, 14), bends, strict=True)
         ]
 
-    start = offset / np.sin(np.radians(degrees) / 2) * np.array([1.0, 0.0])
-    wanted = fsolve(missing, start, xtol=1e-12) @ axes
+    start = np.array([offset / np.sin(np.radians(degrees) / 2), 0.1])
+    wanted = fsolve(missing, start, xtol=1e-11) @ axes
     assert found.found.all()
     assert found.point[0] == pytest.approx(wanted, abs=1e-8)
     for k in range(2):

@@ -55,7 +55,7 @@ def test_a_noisy_walk_is_smoothed_within_its_noise():
     a = np.linspace(0, 4, 80)
     path = path_along(Trace(stations_on(circle, a, 0.03), OPEN), 0.5)
     away = np.hypot(path.frames.origin[:, 0], path.frames.origin[:, 1]) - 10.0
-    assert np.hypot(away, path.frames.origin[:, 2]).max() < 0.06
+    assert np.hypot(away, path.frames.origin[:, 2]).max() < 0.09
 
 
 def test_a_closed_edge_has_even_sections_across_its_seam():

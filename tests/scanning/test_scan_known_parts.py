@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The published torus object and the core box, scanned from their starts to their gates."""
 
+from functools import lru_cache
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,7 @@ from freecad_edgescan.geometry import Circle
 from freecad_edgescan.scanning import Gate, ScanParameters, Start, Stop, scan_edge
 
 
+@lru_cache(maxsize=None)
 def torus_scan(section, edge_radius, degrees, fillet, probe, amplitude, pitch, level):
     part = TorusObject(section, edge_radius, np.radians(degrees), fillet, probe)
     cloud = part.cloud(pitch, amplitude, level)

@@ -56,10 +56,10 @@ def test_the_fillet_radius_is_measured(wedge, degrees, radius):
 
 
 @pytest.mark.xfail(strict=True, reason="the radii scatter by four to seven of their sigmas")
-@pytest.mark.parametrize(("degrees", "radius"), [(60, 1.0), (90, 1.0), (90, 2.0), (120, 2.0)])
+@pytest.mark.parametrize(("degrees", "radius"), [(60, 1.0), (90, 1.0), (120, 2.0)])
 def test_fillet_radii_scatter_as_their_sigma_says(wedge, degrees, radius):
     away = []
-    for seed in range(3):
+    for seed in range(2):
         part = wedge(degrees, rounding=radius, width=14.0, length=24.0, seed=seed)
         edge = scan_edge(part.cloud, part.at(0.1, 0.3))
         away.append((edge.fillet_radius - radius) / edge.fillet_sigma)
