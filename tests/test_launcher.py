@@ -94,6 +94,119 @@ def test_what_cannot_be_installed_is_listed_and_nothing_runs(tmp_path: Path) -> 
     assert "apt-get install" in answer.stderr
 
 
+def tools_without_freecad(folder: Path, **scripts: str) -> str:
+    """A PATH on which there is no FreeCAD, of a user with a number other than root's."""
+    for tool in ("bash", "cat", "dirname", "env", "mktemp", "readlink", "rm", "tail", "touch"):
+        (folder / tool).symlink_to(str(shutil.which(tool)))
+    for name, script in {"id": "echo 1000", **scripts}.items():
+        (folder / name).write_text(f"#!{shutil.which('bash')}\n{script}\n")
+        (folder / name).chmod(0o755)
+    return str(folder)
+
+
+def scan_to_step(cloud: Path, path: str) -> subprocess.CompletedProcess[str]:
+    words = ("scan", cloud, "--at", "15,15,0", "-o", cloud.with_suffix(".step"))
+    return run(*words, PATH=path, EDGESCAN_FREECAD_LIB="/nowhere")
+
+
+def test_a_user_with_sudo_gets_what_is_missing_and_the_command_goes_on(
+    tmp_path: Path, small_cloud: Path
+) -> None:
+    log = tmp_path / "log"
+    sudo = f'echo "sudo $@" >>"{log}"; [ "$1" = -n ] || "$@"'
+    (tools := tmp_path / "tools").mkdir()
+    answer = scan_to_step(
+        small_cloud, tools_without_freecad(tools, **{"sudo": sudo, "apt-get": "true"})
+    )
+    asked, updated, installed = log.read_text().splitlines()
+    assert asked == "sudo -n true"
+    assert updated.startswith("sudo apt-get update")
+    assert "apt-get install" in installed
+    assert installed.endswith(" freecad")
+    said = answer.stderr.splitlines()
+    assert said[0] == "edgescan: installing freecad (needed for writing STEP files)"
+    assert "edge 1" in said[1]  # of a flat cloud: the command itself has the word
+    assert answer.returncode == 2
+
+
+@pytest.mark.parametrize("sudo", [{}, {"sudo": "exit 1"}], ids=["without sudo", "not allowed"])
+def test_a_user_who_cannot_become_root_is_told_what_is_missing(
+    tmp_path: Path, small_cloud: Path, sudo: dict[str, str]
+) -> None:
+    (tools := tmp_path / "tools").mkdir()
+    path = tools_without_freecad(tools, **{"apt-get": f'touch "{tmp_path}/called"', **sudo})
+    answer = scan_to_step(small_cloud, path)
+    assert answer.returncode == 3
+    assert "apt-get install freecad" in answer.stderr
+    assert not (tmp_path / "called").exists()
+
+
+def test_without_a_network_the_words_of_apt_and_a_way_out_are_shown(
+    tmp_path: Path, small_cloud: Path
+) -> None:
+    (tools := tmp_path / "tools").mkdir()
+    failing = "echo 'E: Failed to fetch http://deb.example/freecad.deb' >&2; exit 100"
+    path = tools_without_freecad(tools, **{"sudo": '[ "$1" = -n ] || "$@"', "apt-get": failing})
+    answer = scan_to_step(small_cloud, path)
+    assert answer.returncode == 3
+    assert "E: Failed to fetch" in answer.stderr
+    assert "Check the network" in answer.stderr
+
+
+def freecad_that_answers(folder: Path, data: Path | None) -> dict[str, str]:
+    """Environment in which FreeCAD's Python module names a folder of data, or does not load."""
+    (folder / "FreeCAD").mkdir(parents=True)
+    (folder / "FreeCAD.so").touch()
+    body = "raise ImportError" if data is None else f"return {str(data) + os.sep!r}"
+    module = f"print('FreeCAD greets')\n\n\ndef getUserAppDataDir():\n    {body}\n"
+    (folder / "FreeCAD" / "__init__.py").write_text(module)
+    return {"EDGESCAN_FREECAD_LIB": str(folder)}
+
+
+@pytest.mark.parametrize("version", ["", "v1-1", "v26-3"], ids=["up to 1.0", "1.1", "26.3"])
+def test_install_asks_freecad_for_its_folder(tmp_path: Path, version: str) -> None:
+    data = tmp_path / "home" / "FreeCAD" / version
+    freecad = freecad_that_answers(tmp_path / "lib", data)
+    for _ in range(2):
+        answer = run("install", **home_at(tmp_path / "home"), **freecad)
+        assert answer.returncode == 0, answer.stderr
+    assert [link.parent.parent for link in tmp_path.rglob("Mod/EdgeScan")] == [data]
+    assert (data / "Mod" / "EdgeScan").resolve() == LAUNCHER.parent
+
+
+@pytest.mark.parametrize("answers", [True, False])
+def test_install_serves_every_version_that_was_started_before(
+    tmp_path: Path, answers: bool
+) -> None:
+    data = tmp_path / "FreeCAD"
+    (data / "v1-1").mkdir(parents=True)
+    freecad = freecad_that_answers(tmp_path / "lib", data if answers else None)
+    answer = run("install", **home_at(tmp_path), **freecad)
+    assert answer.returncode == 0, answer.stderr
+    for folder in (data, data / "v1-1"):
+        assert (folder / "Mod" / "EdgeScan").resolve() == LAUNCHER.parent
+
+
+def test_install_mends_a_link_that_leads_nowhere(tmp_path: Path) -> None:
+    assert run("install", **home_at(tmp_path)).returncode == 0
+    (link,) = tmp_path.rglob("Mod/EdgeScan")
+    link.unlink()
+    link.symlink_to(tmp_path / "deleted checkout")
+    assert run("install", **home_at(tmp_path)).returncode == 0
+    assert link.resolve() == LAUNCHER.parent
+
+
+def test_install_is_content_with_a_checkout_among_the_add_ons(tmp_path: Path) -> None:
+    checkout = tmp_path / "FreeCAD" / "Mod" / "EdgeScan"
+    checkout.mkdir(parents=True)
+    shutil.copy(LAUNCHER, checkout)
+    freecad = freecad_that_answers(tmp_path / "lib", tmp_path / "FreeCAD")
+    answer = run("install", launcher=checkout / "edgescan", **home_at(tmp_path), **freecad)
+    assert answer.returncode == 0, answer.stderr
+    assert "already" in answer.stdout
+    assert not checkout.is_symlink()
+
+
 def test_install_links_the_checkout_where_freecad_looks_for_it(tmp_path: Path) -> None:
     answer = run("install", **home_at(tmp_path))
     assert answer.returncode == 0, answer.stderr
