@@ -168,9 +168,9 @@ def _scan(options: argparse.Namespace) -> int:
         _check_output(options.picture, (".png", ".svg", ".pdf", ".jpg"))
     parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
     cloud = read_cloud(options.file, options.probe_radius, options.approach)
-    edges, failed = _scan_targets(cloud, targets, parameters)
+    edges, code = _scan_targets(cloud, targets, parameters)
     if not edges:
-        return 2
+        return code
     print(_table(edges))
     for path in options.output:
         _write_edges(edges, path)
@@ -179,7 +179,7 @@ def _scan(options: argparse.Namespace) -> int:
 
         draw_edges(cloud, list(edges.values()), options.picture)
         print(f"Wrote {options.picture}")
-    return 2 if failed else 0
+    return code
 
 
 def _targets(options: argparse.Namespace) -> list[tuple[Any, Any]]:
@@ -217,8 +217,11 @@ def _check_output(path: Path, endings: Sequence[str]) -> None:
 
 def _scan_targets(
     cloud: PointCloud, targets: Sequence[tuple[Any, Any]], parameters: Any
-) -> tuple[dict[int, ScannedEdge], bool]:
-    """Edges by their number; a target that fails is told and leaves the others alone."""
+) -> tuple[dict[int, ScannedEdge], int]:
+    """Edges by their number, and the exit code: 2 after a failure, 130 after Ctrl-C.
+
+    A target that fails is told and leaves the others alone.
+    """
     from freecad_edgescan.scanning import scan_edge
 
     edges: dict[int, ScannedEdge] = {}
@@ -233,8 +236,8 @@ def _scan_targets(
                 print(f"edgescan: edge {number}: {error}", file=sys.stderr)
         if progress.cancelled:
             print("edgescan: stopped; what was found so far is kept.", file=sys.stderr)
-            break
-    return edges, len(edges) < len(targets)
+            return edges, 130
+    return edges, 0 if len(edges) == len(targets) else 2
 
 
 def _table(edges: dict[int, ScannedEdge]) -> str:

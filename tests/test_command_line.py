@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import signal
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+import freecad_edgescan.__main__ as command_line
 from freecad_edgescan.__main__ import main
+from freecad_edgescan.terminal_progress import TerminalProgress
 
 PITCH = 0.5  # mm
 
@@ -29,6 +32,13 @@ def roof_file(tmp_path: Path) -> Path:
     path = tmp_path / "roof.xyz"
     np.savetxt(path, roof())
     return path
+
+
+def edge_points(table: Path) -> np.ndarray:
+    """Points (m, 3) of a table of edge points."""
+    lines = table.read_text().splitlines()
+    rows = [line.split(",") for line in lines if line.startswith(tuple("-0123456789"))]
+    return np.array([[float(word) for word in row[:3]] for row in rows])
 
 
 def complaint(capsys: pytest.CaptureFixture[str], *words: str | Path) -> str:
@@ -70,10 +80,7 @@ def test_scan_prints_a_table_and_writes_edge_points(capsys, roof_file: Path) -> 
     table = roof_file.parent / "edge.csv"
     assert main(["scan", str(roof_file), "--at", "-1,0.2,0", "-o", str(table)]) == 0
     assert "CLOUD_END / CLOUD_END" in capsys.readouterr().out
-    lines = [
-        line for line in table.read_text().splitlines() if line[:1].isdigit() or line[:1] == "-"
-    ]
-    points = np.array([[float(word) for word in line.split(",")[:3]] for line in lines])
+    points = edge_points(table)
     assert len(points) > 10
     assert np.hypot(points[:, 1], points[:, 2]).max() < 0.05
 
@@ -113,6 +120,27 @@ def test_one_bad_click_leaves_the_other_edges_alone(capsys, roof_file: Path) -> 
     said = capsys.readouterr()
     assert "edge 1" in said.err
     assert table.is_file()
+
+
+def test_ctrl_c_keeps_what_was_found_and_leaves_out_the_rest(
+    capsys, monkeypatch: pytest.MonkeyPatch, roof_file: Path
+) -> None:
+    class Interrupted(TerminalProgress):
+        def update(self, fraction: float, so_far: object) -> bool:
+            if len(so_far.points) >= 20:
+                signal.raise_signal(signal.SIGINT)
+            return super().update(fraction, so_far)
+
+    table = roof_file.parent / "edge.csv"
+    words = ["scan", str(roof_file), "--at", "-1,0.2,0", "--at", "3,0,0", "-o", str(table)]
+    monkeypatch.setattr(command_line, "TerminalProgress", Interrupted)
+    assert command_line.main(words) == 130
+    said = capsys.readouterr()
+    assert "CANCELLED" in said.out
+    assert said.err.strip() == "edgescan: stopped; what was found so far is kept."
+    points = edge_points(table)
+    assert 20 <= len(points) < 40
+    assert np.hypot(points[:, 1], points[:, 2]).max() < 0.05
 
 
 # ---------------------------------------------------------------- bad input
