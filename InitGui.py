@@ -30,4 +30,13 @@ class EdgeScanWorkbench(FreeCADGui.Workbench):
         return "Gui::PythonWorkbench"
 
 
+def _watch_documents():
+    # Edges in files written without a screen are dressed as soon as a file is opened, whichever
+    # workbench is active.
+    from freecad_edgescan.gui.view_provider_observer import start_watching
+
+    start_watching()
+
+
 FreeCADGui.addWorkbench(EdgeScanWorkbench())
+_watch_documents()

@@ -21,6 +21,7 @@ import numpy as np
 from ..cloud import CoreBox, TrueEdge
 from ..experiments import draw_errors, draw_section
 from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start
+from .appearance import Look, write_appearance
 from .cloud_object import make_cloud
 from .demo_pipes import DemoSurface, make_pipe
 from .export import export_step
@@ -29,6 +30,17 @@ from .scanned_edge import make_scanned_edge, scan_again, write_result
 __all__ = ["DemoEdge", "make_demo"]
 
 NAME = "corebox"
+VIEW = (0.0, -0.7, 1.0)  # from the part towards the viewer
+CLOUD_LOOK = Look(colour=(0.75, 0.78, 0.80), transparency=80)
+EDGE_LOOK = Look(
+    colour=(0.84, 0.37, 0.0),
+    line_colour=(0.84, 0.37, 0.0),
+    line_width=4.0,
+    view=("freecad_edgescan.gui.scanned_edge_view", "ViewProviderScannedEdge"),
+)
+PROFILE_LOOK = Look(colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), line_width=1.0)
+LOFT_LOOK = Look(colour=(0.34, 0.71, 0.91), line_colour=(0.0, 0.2, 0.4))
+SWEEP_LOOK = Look(colour=(0.0, 0.62, 0.45), line_colour=(0.0, 0.2, 0.1), visible=False)
 _BESIDE = 20.0  # pitches, twice the distance of starts and gates from the rims
 _PROFILES = 17  # per pipe; fewer, and the loft leaves the wall in the bends
 
@@ -147,7 +159,10 @@ def _make_pipes(
 def _write(target: Path, doc: Any, numbers: Any, rows: list[DemoEdge]) -> list[str]:
     """Write all files; the sentences name them, and what is missing."""
     notes = []
-    doc.saveAs(str((target / f"{NAME}.FCStd").resolve()))
+    file = target / f"{NAME}.FCStd"
+    file.unlink(missing_ok=True)  # FreeCAD would keep the last demonstration as a backup
+    doc.saveAs(str(file.resolve()))
+    write_appearance(file, _looks(doc), numbers.bounds, VIEW)
     shapes = [
         obj
         for obj in doc.Objects
@@ -168,6 +183,18 @@ def _write(target: Path, doc: Any, numbers: Any, rows: list[DemoEdge]) -> list[s
         except ValueError as error:
             notes.append(str(error))
     return [*notes, f"Wrote {', '.join(written)} in {target}."]
+
+
+def _looks(doc: Any) -> dict[str, Look]:
+    """Edges and lofts shine through the probe centres above them; the sweeps are hidden."""
+    look_of = {
+        "Points::Feature": CLOUD_LOOK,
+        "Part::FeaturePython": EDGE_LOOK,
+        "Part::Feature": PROFILE_LOOK,
+        "Part::Sweep": SWEEP_LOOK,
+        "Part::Loft": LOFT_LOOK,
+    }
+    return {obj.Name: look_of[obj.TypeId] for obj in doc.Objects if obj.TypeId in look_of}
 
 
 def _write_csv(rows: list[DemoEdge], path: Path) -> None:
