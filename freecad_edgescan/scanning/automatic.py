@@ -12,9 +12,11 @@ from .errors import ScanError
 from .evened import one_per_cell
 from .parameters import ScanParameters
 from .patch_section import PatchSettings
+from .seed import Seed
 
 MIN_ANGLE = 0.26  # rad, least turn between the two sides of an edge
 _AMPLITUDE = 44.0  # pitches
+_ROUNDED = 1.3  # times half an amplitude: how far the sides of a rounded edge may reach
 _EDGE_PITCH = 2.0  # pitches
 _LEAST_NOISE = 0.03  # pitches: below it a surface's own form matters more than noise
 _NEIGHBOURHOOD = 15.0  # pitches round the start in which the pitch is measured
@@ -29,15 +31,30 @@ class Chosen:
     reasons: dict[str, str]
     settings: PatchSettings
 
-    def with_reach(self, reach: float) -> Chosen:
-        """The same with the reach that knows the edge best, unless the amplitude was given."""
-        if self.reasons.get("amplitude") == "given" or reach >= self.settings.reach:
+    @property
+    def for_seed(self) -> PatchSettings:
+        """Settings to find the first section with: a given amplitude may hide a rounding."""
+        given = self.reasons.get("amplitude") == "given"
+        return self.settings.with_reach(_ROUNDED * self.settings.reach) if given else self.settings
+
+    def with_seed(self, seed: Seed) -> Chosen:
+        """The same with the reach that suits the edge found.
+
+        A given amplitude is measured along the surface, round the rounding; the reach straight
+        from the edge that is not there. An automatic one is what knows the edge best.
+        """
+        if self.reasons.get("amplitude") == "given":
+            half_turn = 0.5 * float(seed.station.frame.turn[0])
+            cut_off = max(seed.station.begins) * (1.0 - half_turn / np.tan(half_turn))
+            reach = self.settings.reach + min(cut_off, (_ROUNDED - 1.0) * self.settings.reach)
+            return replace(self, settings=self.settings.with_reach(reach))
+        if seed.reach >= self.settings.reach:
             return self
         reason = "farther from the edge the two sides do not tell more about it"
         return Chosen(
-            replace(self.parameters, amplitude=2.0 * reach),
+            replace(self.parameters, amplitude=2.0 * seed.reach),
             {**self.reasons, "amplitude": reason},
-            self.settings.with_reach(reach),
+            self.settings.with_reach(seed.reach),
         )
 
 

@@ -26,6 +26,7 @@ from .stop import Stop
 from .strip import strip_points
 
 _NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
+_SUPPLIED = 3  # points of a side below which a section bridges a gap
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
@@ -40,6 +41,7 @@ class Measured:
     points : cloud points in them, and removed (n,) those that no fit used
     fits : the sides
     noise : (m, 2) standard deviation of the points about the sides, mm
+    supplied : (m,) whether both sides have points in the section itself
     at : (m,) places of the sections along the edge, mm
     extent : places along the edge between which both sides have points, mm
     """
@@ -49,6 +51,7 @@ class Measured:
     removed: np.ndarray
     fits: SideFits
     noise: np.ndarray
+    supplied: np.ndarray
     at: np.ndarray
     extent: tuple[float, float]
 
@@ -72,8 +75,9 @@ def measure_together(
     used = plausible.copy()
     used[plausible] = ~outliers
     stretch = agreed_stretches(pooled.stretch, path)
+    own = sum_stretches(evened_moments(points[used], path, settings), stretch)
     fits = _supplied_fits(
-        sum_stretches(evened_moments(points[used], path, settings), stretch),
+        own,
         replace(pooled, stretch=stretch),
         shared_curvature(pooled, path),
         path,
@@ -81,7 +85,8 @@ def measure_together(
     )
     removed = ~used | ~_in_stretch(points, fits)
     local = np.sqrt(pooled.variance) * pooled.reach
-    return Measured(path.frames, points, removed, fits, local, path.at, extent)
+    supplied = np.all(own[..., 0] >= _SUPPLIED, axis=1)
+    return Measured(path.frames, points, removed, fits, local, supplied, path.at, extent)
 
 
 def _strip(

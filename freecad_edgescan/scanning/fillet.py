@@ -23,6 +23,7 @@ def rounding_radius(
     frames: Frames,
     points: SectionPoints,
     corner: Corners,
+    curvature: np.ndarray,
     noise: np.ndarray,
     cloud_pitch: float,
     closed: bool,
@@ -32,6 +33,7 @@ def rounding_radius(
     Parameters
     ----------
     corner : edge points of the cloud itself, sides not moved by the probe radius
+    curvature : (m, 2) of the sides, 1/mm
     noise : (m,) mm
     """
     mode = "wrap" if closed else "constant"
@@ -43,9 +45,12 @@ def rounding_radius(
     inward /= np.maximum(np.linalg.norm(inward, axis=1, keepdims=True), 1e-12)
     aside = np.cross(frames.tangent, inward)
     owner = points.owner
+    # Sides are straightened first, and the rounding with them: 1/ρ becomes 1/ρ + curvature.
+    foot = np.einsum("mki,mi->mk", frames.sides, corner.point - frames.origin)
+    bow = 0.5 * curvature[owner, points.side] * (points.away - foot[owner, points.side]) ** 2
     at = (
         points.away[:, None] * frames.sides[owner, points.side]
-        + points.height[:, None] * frames.normals[owner, points.side]
+        + (points.height - bow)[:, None] * frames.normals[owner, points.side]
         - (corner.point - frames.origin)[owner]
     )
     depth = np.einsum("ni,ni->n", at, inward[owner])
@@ -82,10 +87,16 @@ def rounding_radius(
     used &= np.abs(residual) < 4.0 * noise[owner] + 0.25 * own
     sharp = np.abs(depth * sine[owner] - np.abs(width) * cosine[owner])
     gained = pool((sharp**2 - residual**2) / np.maximum(noise[owner], 1e-12) ** 2 * used)
+    # A point that lies in several slabs is one measurement.
+    repeated = len(points.index) / max(len(np.unique(points.index)), 1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        sigma = noise / np.sqrt(information)
-    # The noise of the edge point itself moves the bisector's end of the rounding.
-    apex = np.sqrt(np.maximum(np.linalg.eigvalsh(corner.covariance)[:, 0], 0.0))
-    sigma = np.hypot(sigma, apex / np.maximum(1.0 / sine - 1.0, 1e-3) / np.sqrt(2 * _POOLED + 1))
+        sigma = noise / np.sqrt(information / repeated)
+    # An edge point that is off along the bisector looks like another radius; neighbours share
+    # most of that error.
+    apex = np.sqrt(np.maximum(corner.covariance[:, 0, 0], 0.0))
+    sigma = np.hypot(sigma, apex / np.maximum(1.0 / sine - 1.0, 1e-3))
+    straight = radius
+    radius = straight / np.maximum(1.0 - straight * curvature.mean(axis=1), 0.2)
+    sigma = sigma * (radius / np.maximum(straight, 1e-12)) ** 2
     measurable = (radius > 3.0 * sigma) & (gained > _EVIDENCE) & (pool(1.0 * used) >= 5)
     return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)

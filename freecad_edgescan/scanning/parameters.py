@@ -10,6 +10,7 @@ from enum import StrEnum
 import numpy as np
 
 from .errors import ScanError
+from .start import numbers
 
 
 class Pattern(StrEnum):
@@ -98,7 +99,9 @@ class ScanParameters:
         for name in _LENGTHS:
             _check_length(name, getattr(self, name))
         if self.probe_radius is not None and not (
-            np.isfinite(self.probe_radius) and self.probe_radius >= 0
+            isinstance(self.probe_radius, int | float | np.number)
+            and np.isfinite(self.probe_radius)
+            and self.probe_radius >= 0
         ):
             raise ScanError(
                 f"The probe radius is {self.probe_radius!r}; give 0 or a positive length in mm."
@@ -143,13 +146,12 @@ def _choice(name: str, value: object, choices: type[StrEnum]) -> StrEnum | None:
         raise ScanError(f"The {name} is {value!r}; choose one of {known}.") from None
 
 
-def _direction(value: object) -> np.ndarray | None:
+def _direction(value: object) -> tuple[float, float, float] | None:
     """Return a unit vector, or None."""
     if value is None:
         return None
-    vector = np.asarray(value, dtype=float)
-    if vector.shape != (3,) or not np.all(np.isfinite(vector)) or not np.any(vector):
+    vector = numbers(value)
+    if vector is None or not np.any(vector):
         raise ScanError(f"The approach is {value!r}; give a direction of three numbers, not zero.")
-    vector = vector / np.linalg.norm(vector)
-    vector.setflags(write=False)
-    return vector
+    x, y, z = (float(part) for part in vector / np.linalg.norm(vector))
+    return x, y, z

@@ -10,13 +10,13 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .air import convex_by_approach, convex_by_rounding
 from .automatic import Chosen
-from .corner import Corners, across_axes
+from .corner import across_axes
 from .edge_path import path_along
 from .edge_points import Measured, measure_together
 from .fillet import rounding_radius
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge
-from .section import Frames, SectionPoints
+from .section import SectionPoints, frames_from_sides
 from .side_fit import SideFits
 from .stop import Stop
 from .trace import EdgeGate, Trace
@@ -59,6 +59,7 @@ def finish_edge(
         frames,
         measured.points,
         seen,
+        measured.fits.coefficients[..., 2] / measured.fits.reach,
         measured.noise.max(axis=1),
         settings.cloud_pitch,
         trace.closed,
@@ -67,16 +68,19 @@ def finish_edge(
     convex = _convex(chosen, seen.normals, rounding, rounding_sigma)
     edge = measured.corners(-probe if convex else probe) if probe else seen
     fillet, sigma = _fillet(rounding, rounding_sigma, probe, convex)
+    # The path knows the edge's direction from all its points, a section only from its own.
+    standing = frames_from_sides(edge.point, frames.tangent, edge.sides)
+    normals = -standing.normals if convex is False else standing.normals
     return ScannedEdge(
         points=edge.point,
-        tangents=edge.tangent,
-        normals=-edge.normals if convex is False else edge.normals,
-        angle=np.arccos(np.clip(np.einsum("mi,mi->m", edge.sides[:, 0], edge.sides[:, 1]), -1, 1)),
+        tangents=standing.tangent,
+        normals=normals,
+        angle=np.pi - standing.turn,
         convex=convex,
-        covariance=_turned_covariance(edge, frames, convex),
+        covariance=_turned_covariance(edge.covariance, frames.normals, normals),
         fillet_radius=fillet,
         fillet_sigma=sigma,
-        supported=np.all(measured.fits.accepted, axis=1) & edge.found,
+        supported=measured.supplied & edge.found,
         compensation=np.full(len(frames), "offset" if probe else "none"),
         closed=trace.closed,
         stops=trace.stops,
@@ -111,11 +115,10 @@ def _fillet(
     return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)
 
 
-def _turned_covariance(edge: Corners, frames: Frames, convex: bool | None) -> np.ndarray:
-    """Covariance from the frames' axes to the axes of the delivered normals."""
-    normals = -edge.normals if convex is False else edge.normals
-    turn = np.einsum("mai,mbi->mab", across_axes(normals), across_axes(frames.normals))
-    return np.einsum("mab,mbc,mdc->mad", turn, edge.covariance, turn)
+def _turned_covariance(covariance: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Covariance from the axes of one pair of normals (m, 2, 3) to those of another."""
+    turn = np.einsum("mai,mbi->mab", across_axes(after), across_axes(before))
+    return np.einsum("mab,mbc,mdc->mad", turn, covariance, turn)
 
 
 def _until(arrived: EdgeGate, points: np.ndarray) -> slice:
@@ -169,5 +172,6 @@ def select_sections(measured: Measured, part: slice) -> Measured:
         removed=measured.removed[mine],
         fits=fits,
         noise=measured.noise[part],
+        supplied=measured.supplied[part],
         at=measured.at[part],
     )

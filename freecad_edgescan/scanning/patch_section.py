@@ -184,7 +184,7 @@ class PatchSection:
         ball = self.cloud.tree.query_ball_point(frame.origin[0], _ENDING * pitch)
         index = np.asarray(ball, dtype=np.int64)
         points = section_points(frame, np.zeros_like(index), index, self.cloud.points[index])
-        clear = points.away > min(max(last.begins), 3.0 * pitch) + 0.5 * pitch
+        clear = points.away > min(max(last.begins), 0.5 * self.settings.reach) + 0.5 * pitch
         near = 4.0 * self.settings.noise + 0.05 * pitch + 0.1 * points.away
         expected = 0.5 * frame.curvature[0, points.side] * points.away**2
         foreign = clear & (np.abs(points.height - expected) > near)
@@ -204,12 +204,17 @@ class PatchSection:
 
 
 def _cover(points: SectionPoints, fits: SideFits) -> float:
-    """Share of the extent of each side's points that its fit covers, the smaller of the two."""
-    shares = [
-        (fits.ends[0, k] - fits.begins[0, k]) / max(points.away[points.side == k].max(), 1e-12)
-        for k in range(2)
-    ]
-    return float(min(*shares, 1.0))
+    """Share of the extent of each side's points that its fit covers, the smaller of the two.
+
+    A side that curls within its length, as a rounding does, counts for less.
+    """
+    shares = []
+    for k in range(2):
+        length = fits.ends[0, k] - fits.begins[0, k]
+        curl = fits.coefficients[0, k, 2] * fits.ends[0, k] / fits.reach
+        extent = max(points.away[points.side == k].max(), 1e-12)
+        shares.append(min(length / extent, 1.0) / (1.0 + curl**2))
+    return float(min(shares))
 
 
 def _reached(points: SectionPoints) -> np.ndarray:

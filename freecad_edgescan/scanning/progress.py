@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -16,24 +17,27 @@ class SoFar:
 
     Attributes
     ----------
-    points : (m, 3) array, mm, edge points in walking order
-    new_points : (k, 3) array, mm, those that are new since the last update
-    stations : what was measured, in walking order
+    stations : what was measured, along the edge
+    new_stations : those that are new since the last update, as they were found
     """
 
-    def __init__(self, stations: list[Station], reported: int) -> None:
+    def __init__(self, stations: Sequence[Station], new_stations: Sequence[Station]) -> None:
         self.stations = tuple(stations)
-        self.reported = reported
+        self.new_stations = tuple(new_stations)
 
     @property
     def points(self) -> np.ndarray:
-        """Edge points in walking order, (m, 3) mm."""
-        return np.array([station.frame.origin for station in self.stations]).reshape(-1, 3)
+        """Edge points along the edge, (m, 3) mm."""
+        return _points(self.stations)
 
     @property
     def new_points(self) -> np.ndarray:
         """Those that are new since the last update, (k, 3) mm."""
-        return self.points[self.reported :]
+        return _points(self.new_stations)
+
+
+def _points(stations: Sequence[Station]) -> np.ndarray:
+    return np.array([station.frame.origin[0] for station in stations]).reshape(-1, 3)
 
 
 class Progress(Protocol):

@@ -22,6 +22,7 @@ _IGNORED = (
     "compensation",
     "prehit_distance",
     "search_distance",
+    "cloud_pitch",
 )
 
 
@@ -39,8 +40,8 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
         sentences.append(f"The rim tells that this is {kind}: taken off {probe:g} mm accordingly.")
     bridged = int((~edge.supported).sum())
     if bridged:
-        sentences.append(f"{bridged} of {len(edge)} edge points have weak support.")
-    ignored = [name.replace("_", " ") for name in _IGNORED if name in edge.parameters.given()]
+        sentences.append(f"{bridged} of {len(edge)} edge points bridge gaps in the cloud.")
+    ignored = [name.replace("_", " ") for name in _IGNORED if edge.reasons.get(name) == "given"]
     if ignored:
         sentences.append(f"Without effect in the patch method: {', '.join(ignored)}.")
     return " ".join(sentences)

@@ -25,7 +25,7 @@ from .report import describe
 from .scanned_edge import ScannedEdge
 from .section import Station
 from .seed import Seed, find_seed, nearest_seed
-from .start import Gate, Start
+from .start import Gate, Start, numbers
 from .trace import LineGate, PointGate, Trace, trace_both_ways, trace_one_way, turned
 
 Point = Sequence[float] | np.ndarray
@@ -71,14 +71,16 @@ def scan_edge(
         )
     if method != "patch":
         raise ScanError(f"The method is {method!r}; the one there is is 'patch'.")
+    if not 0.0 < min_angle < np.pi:
+        raise ScanError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
     require_surface(cloud)
     start = at if isinstance(at, Start) else None
     near = _near(cloud, at, parameters or ScanParameters())
     chosen = choose_parameters(cloud, near, parameters or ScanParameters(), min_angle)
     seed = _seed(cloud, near, start, chosen)
-    first, chosen = seed.station, chosen.with_reach(seed.reach)
+    first, chosen = seed.station, chosen.with_seed(seed)
     section = PatchSection(cloud, chosen.settings)
-    arrived = _gate(gate, start, chosen)
+    arrived = _gate(gate, start, first, chosen)
     trace = _trace(section, first, start, arrived, progress)
     if len(trace.stations) < 3:
         raise ScanError(
@@ -96,9 +98,10 @@ def _near(cloud: PointCloud, at: Point | Start, parameters: ScanParameters) -> n
         reach = 0.5 * (parameters.amplitude or 20.0 * cloud.pitch)
         wanted, farthest = at.point + reach * at.across, 2.0 * reach
     else:
-        wanted = np.asarray(at, dtype=float)
-        if wanted.shape != (3,) or not np.all(np.isfinite(wanted)):
+        click = numbers(at)
+        if click is None:
             raise ScanError(f"The click is {at!r}; give three finite coordinates in mm.")
+        wanted = click
         farthest = _FARTHEST_CLICK * cloud.pitch
     distance, index = cloud.tree.query(wanted)
     if distance > farthest:
@@ -111,7 +114,7 @@ def _near(cloud: PointCloud, at: Point | Start, parameters: ScanParameters) -> n
 
 
 def _seed(cloud: PointCloud, near: np.ndarray, start: Start | None, chosen: Chosen) -> Seed:
-    settings = chosen.settings
+    settings = chosen.for_seed
     along = None if start is None else start.along
     within = None if start is None else settings.reach
     seed = find_seed(cloud, near, settings, along, within)
@@ -136,19 +139,26 @@ def _seed(cloud: PointCloud, near: np.ndarray, start: Start | None, chosen: Chos
 
 
 def _gate(
-    gate: Point | Gate | None, start: Start | None, chosen: Chosen
+    gate: Point | Gate | None, start: Start | None, first: Station, chosen: Chosen
 ) -> LineGate | PointGate | None:
     """What tells the walk that it has arrived."""
     reach = chosen.settings.reach
     if gate is None:
         return None
     if isinstance(gate, Gate):
-        _check_gate_ahead(start, gate, reach)
+        _check_gate_ahead(start, gate.point, reach)
         approach = chosen.parameters.approach
         return LineGate(gate, 2.0 * reach, None if approach is None else np.asarray(approach))
-    point = np.asarray(gate, dtype=float)
-    if point.shape != (3,) or not np.all(np.isfinite(point)):
+    point = numbers(gate)
+    if point is None:
         raise ScanError(f"The gate is {gate!r}; give a Gate or three finite coordinates in mm.")
+    _check_gate_ahead(start, point, reach)
+    away = float(np.linalg.norm(point - first.frame.origin[0]))
+    if away < 2.0 * chosen.settings.edge_pitch:
+        raise ScanError(
+            f"The gate at ({_text(point)}) is {away:.3g} mm from where the walk begins; give one "
+            f"at least {2.0 * chosen.settings.edge_pitch:.3g} mm away, or none."
+        )
     return PointGate(point, reach)
 
 
@@ -170,14 +180,14 @@ def _trace(
     return trace_one_way(section, first, *steps, arrived, progress)
 
 
-def _check_gate_ahead(start: Start | None, gate: Gate, reach: float) -> None:
+def _check_gate_ahead(start: Start | None, point: np.ndarray, reach: float) -> None:
     """A gate just behind the start can never be passed; one farther off may lie round a bend."""
     if start is None:
         return
-    way = gate.point - start.point
+    way = point - start.point
     if way @ start.along < 0 and np.linalg.norm(way) < 4.0 * reach:
         raise ScanError(
-            f"The gate at ({_text(gate.point)}) lies {-float(way @ start.along):.3g} mm behind the "
+            f"The gate at ({_text(point)}) lies {-float(way @ start.along):.3g} mm behind the "
             "start, against the direction of the walk; turn the start's direction along the edge "
             "round, or move the gate."
         )

@@ -20,9 +20,9 @@ from .patch_section import PatchSection, PatchSettings
 from .section import Frames, Station, frames_from_sides
 from .walker import jumped, predict, reversed_frame
 
-_BALLS = ((4.0, 6.0, 9.0, 14.0), (20.0, 30.0))  # radii round the click, in pitches
+_BALLS = (4.0, 6.0, 9.0, 14.0, 20.0, 30.0)  # radii round the click, in pitches
 _NEIGHBOURS = 16
-_SAME_DIRECTION = np.cos(np.radians(14.0))
+_SAME_DIRECTION = np.radians(14.0)  # at most; less where flatter edges are wanted
 _GROWTH = 1.7  # of the reach, from one measurement to the next
 
 
@@ -46,25 +46,22 @@ def find_seed(
     Parameters
     ----------
     at : (3,) the click, mm
-    settings : its reach is the largest one to use
+    settings : its reach is the largest one to use, and a given one is used in any case
     along : (3,) unit vector; only edges within 40° of it count, and it gives the direction
     within : largest distance of the edge from the click, mm; by default what each ball can see
     """
-    for balls in _BALLS:
-        seeds = []
-        for ball in balls:
-            radius = ball * settings.cloud_pitch
-            tried: list[Frames] = []
-            for frame in proposals(cloud, at, radius, settings.min_angle):
-                if not any(_alike(frame, other) for other in tried):
-                    tried.append(frame)
-                    seeds.append(_confirmed(cloud, frame, at, radius, settings, along, within))
-        found = [seed for seed in seeds if seed is not None]
-        if found:
-            # Small balls also propose tangent planes of a rounding; their edges are poorly known.
-            found.sort(key=lambda seed: _doubt(seed.station, at, settings))
-            return next((s for s in found if _goes_on(cloud, s, settings)), found[0])
-    return None
+    seeds = []
+    for ball in _BALLS:
+        radius = ball * settings.cloud_pitch
+        tried: list[Frames] = []
+        for frame in proposals(cloud, at, radius, settings.min_angle):
+            if not any(_alike(frame, other) for other in tried):
+                tried.append(frame)
+                seeds.append(_confirmed(cloud, frame, at, radius, settings, along, within))
+    # Small balls also propose tangent planes of a rounding; their edges are poorly known.
+    found = [seed for seed in seeds if seed is not None]
+    found.sort(key=lambda seed: _doubt(seed.station, at, settings))
+    return next((seed for seed in found if _goes_on(cloud, seed, settings)), None)
 
 
 def nearest_seed(
@@ -95,7 +92,7 @@ def proposals(cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float
     points = one_per_cell(cloud.points[index], radius / 8.0)
     normals = _normals(cloud, points)
     weight = np.exp(-np.square(np.linalg.norm(points - at, axis=1) / (0.6 * radius)))
-    planes = _shared_planes(points, normals, weight, max(0.8 * min_angle, np.radians(10.0)))
+    planes = _shared_planes(points, normals, weight, min_angle)
     frames = []
     for (normal_a, centre_a), (normal_b, centre_b) in combinations(planes, 2):
         tangent = np.cross(normal_a, normal_b)
@@ -117,17 +114,18 @@ def proposals(cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float
 
 
 def _shared_planes(
-    points: np.ndarray, normals: np.ndarray, weight: np.ndarray, apart: float
+    points: np.ndarray, normals: np.ndarray, weight: np.ndarray, min_angle: float
 ) -> list[tuple[np.ndarray, np.ndarray]]:
     """Up to three planes, each the normal and the centre of points that share a direction."""
     alike = np.abs(normals @ normals.T)
+    same = np.cos(min(_SAME_DIRECTION, 0.45 * min_angle))
     left = np.ones(len(points), dtype=bool)
     planes = []
     for _ in range(3):
-        score = (alike > _SAME_DIRECTION) @ (weight * left)
+        score = (alike > same) @ (weight * left)
         score[~left] = 0.0
         leader = int(np.argmax(score))
-        members = left & (alike[leader] > _SAME_DIRECTION)
+        members = left & (alike[leader] > same)
         if members.sum() < 5 or score[leader] < 0.03 * weight.sum():
             break
         scatter = np.einsum("n,ni,nj->ij", weight[members], normals[members], normals[members])
@@ -136,7 +134,7 @@ def _shared_planes(
         level = _weighted_median(height, weight[members])
         centre = np.average(points[members], axis=0, weights=weight[members])
         planes.append((normal, centre + (level - centre @ normal) * normal))
-        left &= np.abs(normals @ normal) < np.cos(apart)
+        left &= np.abs(normals @ normal) < np.cos(0.7 * min_angle)
         if left.sum() < 5:
             break
     return planes

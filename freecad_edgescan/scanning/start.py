@@ -91,9 +91,18 @@ class Gate:
         return share if 0.0 <= reach <= amplitude else None
 
 
+def numbers(value: object) -> np.ndarray | None:
+    """Three finite numbers as an array, or None when they are something else."""
+    try:
+        array = np.array(value, dtype=float)
+    except (TypeError, ValueError):
+        return None
+    return array if array.shape == (3,) and bool(np.all(np.isfinite(array))) else None
+
+
 def _point(name: str, value: Vector) -> np.ndarray:
-    point = np.array(value, dtype=float)
-    if point.shape != (3,) or not np.all(np.isfinite(point)):
+    point = numbers(value)
+    if point is None:
         raise ScanError(f"The {name} is {_text(value)}; give three finite numbers in mm.")
     point.setflags(write=False)
     return point

@@ -64,7 +64,7 @@ def trace_both_ways(
         half_width,
         longest_step,
         progress=progress,
-        before=known,
+        known=known,
     )
     stations = [turned(station) for station in reversed(backward.stations)]
     return Trace([*stations, *known], (backward.stop, onward.stop))

@@ -8,7 +8,7 @@ stopped.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,6 +17,7 @@ from .progress import Progress, SoFar
 from .section import Frames, Section, Station, frames_from_sides
 from .stop import Stop
 
+_TELL_EVERY = 10  # stations
 _SHORTEST_STEP = 0.25  # of the edge pitch
 _MOST_BENT = 0.25  # rad, turn of the edge in one step
 _TIGHT_TURNS = (0.3, 0.6)  # rad, tried in half an edge pitch where the edge seems to end
@@ -44,7 +45,7 @@ def walk(
     arrived: Arrived | None = None,
     limit: int = 100_000,
     progress: Progress | None = None,
-    before: list[Station] | None = None,
+    known: Sequence[Station] = (),
 ) -> Walk:
     """Walk along the tangent of the first station until the edge ends.
 
@@ -58,14 +59,14 @@ def walk(
     arrived : called with the last two edge points; True ends the walk at a gate
     limit : largest number of stations
     progress : told after some stations, may cancel
-    before : what an earlier walk the other way found, for the progress
+    known : the first station and what an earlier walk the other way found, for the progress
     """
     stations = [first]
-    step, travelled, reported = edge_pitch, 0.0, 0
-    earlier = list(before or [])
+    step, travelled = edge_pitch, 0.0
+    teller = _Teller(progress, stations, known)
     while True:
         if len(stations) > limit:
-            return Walk(stations[1:], Stop.LIMIT)
+            return teller.last(Walk(stations[1:], Stop.LIMIT))
         last = stations[-1]
         step = min(step, max(_MOST_BENT / _bend(last), _SHORTEST_STEP * edge_pitch))
         predicted = predict(last.frame, step)
@@ -79,7 +80,7 @@ def walk(
             step = 0.5 * edge_pitch
             station = _round_a_bend(section, last, step, half_width)
             if station is None:
-                return Walk(stations[1:], section.ending(last, stop))
+                return teller.last(Walk(stations[1:], section.ending(last, stop)))
         else:
             station = _steered(last, predicted, measured, step)
         stations.append(station)
@@ -87,14 +88,35 @@ def walk(
         step = min(1.5 * step, longest_step)
         here, there = last.frame.origin[0], station.frame.origin[0]
         if arrived is not None and arrived(here, there):
-            return Walk(stations[1:], Stop.GATE)
+            return teller.last(Walk(stations[1:], Stop.GATE))
         if _closed(stations, travelled, longest_step):
-            return Walk(stations[1:], Stop.CLOSED)
-        if progress is not None and len(stations) - reported >= 10:
-            so_far = SoFar(earlier + stations, len(earlier) + reported)
-            reported = len(stations)
-            if not progress.update(np.nan, so_far):
-                return Walk(stations[1:], Stop.CANCELLED)
+            return teller.last(Walk(stations[1:], Stop.CLOSED))
+        if not teller.tell():
+            return Walk(stations[1:], Stop.CANCELLED)
+
+
+class _Teller:
+    """Tells the progress about stations, each once and all of them in order along the edge."""
+
+    def __init__(
+        self, progress: Progress | None, stations: list[Station], known: Sequence[Station]
+    ) -> None:
+        self.progress, self.stations, self.known = progress, stations, known
+        # The first station of a second way was told on the first one.
+        self.told = 1 if known else 0
+
+    def tell(self, at_least: int = _TELL_EVERY) -> bool:
+        """Tell what is new when it is enough; False when the walk is to be cancelled."""
+        new = self.stations[self.told :]
+        if self.progress is None or len(new) < at_least:
+            return True
+        self.told = len(self.stations)
+        along = [*reversed(self.stations[1:]), *self.known] if self.known else self.stations
+        return self.progress.update(float("nan"), SoFar(along, new))
+
+    def last(self, result: Walk) -> Walk:
+        """Tell the rest; a cancel that comes now still ends the scan."""
+        return result if self.tell(1) else Walk(result.stations, Stop.CANCELLED)
 
 
 def predict(frame: Frames, step: float) -> Frames:
