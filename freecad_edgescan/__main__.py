@@ -32,6 +32,14 @@ SCAN_EXAMPLES = """examples:
                          --gate 80,-5,0 --gate-across 0,1,0 --amplitude 10
 """
 
+ACCURACY_TEXT = """Simulates a scan of each part, clicks every sharp edge at its middle, and
+compares what is found with the part's own edges.
+  length   of the true edge           room    smallest distance to another edge
+  traced   share of it found within one pitch
+  rms max  distance of the edge points from it
+  sigma    mean standard deviation that the scan states itself
+"""
+
 
 class _Parser(argparse.ArgumentParser):
     """Says what is wrong in one sentence instead of printing the whole usage."""
@@ -91,12 +99,37 @@ def _parser() -> argparse.ArgumentParser:
         help=".step for CAD (needs FreeCAD), .csv for edge points with sigma; repeatable",
     )  # fmt: skip
     scan.add_argument("--picture", type=Path, metavar="FILE.png", help="cloud and edges, drawn")
+    scan.add_argument(
+        "--view", type=_vector, metavar="DX,DY,DZ",
+        help="direction from the part to the viewer of the picture (default: the edges' air side)",
+    )  # fmt: skip
+    scan.add_argument(
+        "--section", type=Path, metavar="FILE.png",
+        help="the section of the first edge where it was clicked, drawn",
+    )  # fmt: skip
 
     info = _add_command(commands, "info", _info, "what is in a cloud file")
     info.add_argument("file", help=".xyz .txt .asc .csv .ply .pcd")
 
     bench = _add_command(commands, "bench", _bench, "how fast this machine is")
     bench.add_argument("--points", type=int, default=1_000_000, metavar="N", help="cloud size")
+
+    accuracy = _add_command(
+        commands, "accuracy", _accuracy, "how exactly edges of CAD parts are found", ACCURACY_TEXT
+    )
+    accuracy.add_argument(
+        "--parts", nargs="+", type=Path, default=[], metavar="FILE",
+        help=".step .iges .brep; default: a block with a blind bore",
+    )  # fmt: skip
+    for option, value, text in (
+        ("--pitch", 0.6, "of the simulated scan"),
+        ("--noise", 0.12, "of the simulated scan, standard deviation along the normal"),
+        ("--probe-radius", 0.0, "simulate centres of a ball of this radius"),
+    ):
+        accuracy.add_argument(
+            option, type=float, default=value, metavar="MM", help=f"{text} (default: {value:g})"
+        )
+    accuracy.add_argument("--seed", type=int, default=0, metavar="N", help="of the random numbers")
 
     demo = _add_command(
         commands, "demo", _demo, "scan the edges of a simulated core box, sweep and loft"
@@ -164,8 +197,9 @@ def _scan(options: argparse.Namespace) -> int:
     targets = _targets(options)
     for path in options.output:
         _check_output(path, (".step", ".stp", ".csv"))
-    if options.picture:
-        _check_output(options.picture, (".png", ".svg", ".pdf", ".jpg"))
+    for picture in (options.picture, options.section):
+        if picture:
+            _check_output(picture, (".png", ".svg", ".pdf", ".jpg"))
     parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
     cloud = read_cloud(options.file, options.probe_radius, options.approach)
     edges, code = _scan_targets(cloud, targets, parameters)
@@ -177,8 +211,16 @@ def _scan(options: argparse.Namespace) -> int:
     if options.picture:
         from freecad_edgescan.experiments import draw_edges
 
-        draw_edges(cloud, list(edges.values()), options.picture)
+        names = [f"edge {number}" for number in edges]
+        draw_edges(cloud, list(edges.values()), options.picture, options.view, names)
         print(f"Wrote {options.picture}")
+    if options.section:
+        from freecad_edgescan.experiments import draw_section
+
+        number, edge = next(iter(edges.items()))
+        at = targets[number - 1][0]
+        draw_section(edge, getattr(at, "point", at), options.section)
+        print(f"Wrote {options.section}")
     return code
 
 
@@ -322,6 +364,25 @@ def _bench(options: argparse.Namespace) -> int:
         f"scanning           {speed.edge_points_per_second:.0f} edge points per second "
         f"({speed.edge_points} in {speed.scanning:.2f} s, mean error {speed.mean_error:.4f} mm)"
     )
+    return 0
+
+
+def _accuracy(options: argparse.Namespace) -> int:
+    from freecad_edgescan.document.part_report import block_with_bore, read_part, report_part
+
+    parts = [(file.name, read_part(file)) for file in options.parts]
+    for number, (name, shape) in enumerate(parts or [("block with bore", block_with_bore())]):
+        with TerminalProgress(name) as progress:
+            report = report_part(
+                shape,
+                name,
+                options.pitch,
+                options.noise,
+                options.probe_radius,
+                options.seed,
+                progress,
+            )
+        print(("\n" if number else "") + report.text())
     return 0
 
 

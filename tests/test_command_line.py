@@ -258,3 +258,12 @@ def test_an_output_that_cannot_be_written_is_told_before_scanning(capsys, roof_f
     assert "/nowhere" in said
     said = complaint(capsys, "scan", roof_file, "--at", "0,0,0", "-o", "edge.iges")
     assert ".step" in said
+
+
+def test_scan_draws_a_picture_and_the_section_that_was_clicked(capsys, roof_file: Path) -> None:
+    pytest.importorskip("matplotlib")
+    folder = roof_file.parent
+    words = ["scan", str(roof_file), "--at", "-1,0.2,0", "--picture", str(folder / "edge.png")]
+    words += ["--view", "0,-1,1", "--section", str(folder / "section.png")]
+    assert main(words) == 0
+    assert (folder / "edge.png").is_file() and (folder / "section.png").is_file()

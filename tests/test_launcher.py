@@ -42,11 +42,13 @@ def small_cloud(tmp_path: Path) -> Path:
 def test_help_lists_every_command(words: list[str]) -> None:
     answer = run(*words)
     assert answer.returncode == 0
-    for command in ("demo", "scan", "info", "bench", "install", "gui", "test"):
+    for command in ("demo", "scan", "info", "accuracy", "bench", "install", "gui", "test"):
         assert f"\n    {command} " in answer.stdout
 
 
-@pytest.mark.parametrize("command", ["demo", "scan", "info", "bench", "install", "gui", "test"])
+@pytest.mark.parametrize(
+    "command", ["demo", "scan", "info", "accuracy", "bench", "install", "gui", "test"]
+)
 def test_each_command_has_help_of_its_own(command: str) -> None:
     answer = run(command, "--help")
     assert answer.returncode == 0

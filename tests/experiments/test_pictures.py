@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pictures show what they say: errors by their sign, sections moved onto the part."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from freecad_edgescan.cloud import CoreBox
+from freecad_edgescan.experiments import draw_edges, draw_errors, draw_section
+from freecad_edgescan.experiments.error_picture import signed_errors
+from freecad_edgescan.scanning import Gate, Start, scan_edge
+
+BOX = CoreBox.small()
+
+
+@pytest.fixture(scope="module")
+def cloud():
+    return BOX.cloud(0.5)
+
+
+@pytest.fixture(scope="module")
+def edges(cloud):
+    ways = zip(BOX.starts(10.0), BOX.gates(10.0), strict=True)
+    return [scan_edge(cloud, at=Start(*start), gate=Gate(*gate)) for start, gate in ways]
+
+
+def test_signed_errors_are_no_larger_than_distances_and_mostly_within_two_sigma(edges) -> None:
+    for edge, truth in zip(edges, BOX.edges, strict=True):
+        errors = signed_errors(edge, truth)
+        assert np.all(np.abs(errors) <= truth.distance(edge.points) + 1e-9)
+        assert np.mean(np.abs(errors) <= 2 * edge.sigma) > 0.8
+
+
+def test_signed_errors_grow_when_the_points_move_out_of_the_wedge(edges) -> None:
+    edge, truth = edges[0], BOX.edges[0]
+    out = edge.normals.sum(axis=1)
+    out /= np.linalg.norm(out, axis=1, keepdims=True)
+    moved = replace(edge, points=edge.points + 0.1 * out)
+    change = signed_errors(moved, truth) - signed_errors(edge, truth)
+    assert np.all((change > 0.0) & (change < 0.1 + 1e-3))
+
+
+@pytest.mark.parametrize("ending", ["png", "svg"])
+def test_pictures_are_written(cloud, edges, tmp_path: Path, ending: str) -> None:
+    pytest.importorskip("matplotlib")
+    draw_edges(cloud, edges, tmp_path / f"edges.{ending}", view=(0, -1, 1), names=["a", "b"])
+    draw_errors(cloud, edges, BOX.edges[:2], tmp_path / f"errors.{ending}")
+    draw_section(edges[0], 10, tmp_path / f"section.{ending}")
+    draw_section(edges[0], edges[0].points[4], tmp_path / f"there.{ending}")
+    assert all(file.stat().st_size > 5000 for file in tmp_path.iterdir())
+    assert len(list(tmp_path.iterdir())) == 4
+
+
+def test_a_view_without_a_direction_is_refused(cloud, edges, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="view"):
+        draw_edges(cloud, edges, tmp_path / "edges.png", view=(0, 0, 0))
+
+
+def test_the_moved_sides_meet_in_the_edge_point(edges) -> None:
+    from freecad_edgescan.experiments.section_picture import _moved_towards
+
+    line = edges[0].scan_lines[20]
+    probe = edges[0].parameters.probe_radius
+    for side in (0, 1):
+        curve = line.curves[side]
+        moved = _moved_towards(curve, line.edge_point, probe)
+        np.testing.assert_allclose(moved[0], line.edge_point)
+        assert np.linalg.norm(moved[1] - moved[0]) < np.linalg.norm(curve[-1] - curve[0]) / 10
+        gaps = np.linalg.norm(moved[1:, None] - curve, axis=2).min(axis=1)
+        np.testing.assert_allclose(gaps, probe, rtol=0.02)
