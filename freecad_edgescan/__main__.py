@@ -277,9 +277,16 @@ def _scan_targets(
                 progress.clear()
                 print(f"edgescan: edge {number}: {error}", file=sys.stderr)
         if progress.cancelled:
-            print("edgescan: stopped; what was found so far is kept.", file=sys.stderr)
-            return edges, 130
+            return edges, _exit_code(progress)
     return edges, 0 if len(edges) == len(targets) else 2
+
+
+def _exit_code(progress: TerminalProgress) -> int:
+    """0, or what a shell expects after Ctrl-C."""
+    if not progress.cancelled:
+        return 0
+    print("edgescan: stopped; what was found so far is kept.", file=sys.stderr)
+    return 130
 
 
 def _table(edges: dict[int, ScannedEdge]) -> str:
@@ -383,6 +390,8 @@ def _accuracy(options: argparse.Namespace) -> int:
                 progress,
             )
         print(("\n" if number else "") + report.text())
+        if progress.cancelled:
+            return _exit_code(progress)
     return 0
 
 
@@ -394,7 +403,7 @@ def _demo(options: argparse.Namespace) -> int:
         result = make_demo(options.output, progress)
     if isinstance(result, str):
         print(result)
-    return 0
+    return _exit_code(progress)
 
 
 if __name__ == "__main__":
