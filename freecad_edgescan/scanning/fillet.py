@@ -97,6 +97,6 @@ def rounding_radius(
     sigma = np.hypot(sigma, apex / np.maximum(1.0 / sine - 1.0, 1e-3))
     straight = radius
     radius = straight / np.maximum(1.0 - straight * curvature.mean(axis=1), 0.2)
-    sigma = sigma * (radius / np.maximum(straight, 1e-12)) ** 2
+    sigma = sigma / np.maximum(1.0 - straight * curvature.mean(axis=1), 0.2) ** 2
     measurable = (radius > 3.0 * sigma) & (gained > _EVIDENCE) & (pool(1.0 * used) >= 5)
     return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)

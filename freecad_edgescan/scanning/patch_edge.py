@@ -133,7 +133,7 @@ def _without_unsupported_ends(measured: Measured, cloud_pitch: float) -> Measure
     """Leave out sections at the ends that stand beyond their points, or hardly on any."""
     first, last = measured.extent
     reached = (measured.at > first - 0.3 * cloud_pitch) & (measured.at < last + 0.3 * cloud_pitch)
-    known = np.sqrt(measured.fits.variance * measured.fits.inverse[..., 0, 0])
+    known = np.sqrt(measured.fits.inverse[..., 0, 0])
     known_well = np.all(known < _FAR_WORSE * np.median(known, axis=0), axis=1)
     known_well[_LAST:-_LAST] = True
     reached &= known_well

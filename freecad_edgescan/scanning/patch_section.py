@@ -204,16 +204,17 @@ class PatchSection:
 
 
 def _cover(points: SectionPoints, fits: SideFits) -> float:
-    """Share of the extent of each side's points that its fit covers, the smaller of the two.
+    """How far each side's fit reaches among its points, the smaller share of the two.
 
-    A side that curls within its length, as a rounding does, counts for less.
+    A side that is not smooth within the noise, or curls within its length as a rounding does,
+    counts for less. What is left out next to the edge may well be a rounding and does not count.
     """
     shares = []
     for k in range(2):
-        length = fits.ends[0, k] - fits.begins[0, k]
-        curl = fits.coefficients[0, k, 2] * fits.ends[0, k] / fits.reach
         extent = max(points.away[points.side == k].max(), 1e-12)
-        shares.append(min(length / extent, 1.0) / (1.0 + curl**2))
+        curl = fits.coefficients[0, k, 2] * fits.ends[0, k] / fits.reach
+        share = min(fits.ends[0, k] / extent, 1.0) / (1.0 + curl**2)
+        shares.append(share if fits.accepted[0, k] else 0.6 * share)
     return float(min(shares))
 
 

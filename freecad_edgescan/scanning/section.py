@@ -176,7 +176,7 @@ class Station:
     sigma : standard deviation of the edge point, mm
     noise : noise met on the two sides, mm
     begins : (2,) distance from the edge where each side's support begins, mm
-    cover : share of each side's points' extent that is one smooth surface, the smaller of the two
+    cover : how much of the two sides' points the fits explain, 0 … 1
     stop : why no edge point could be measured here; None when there is one
     """
 

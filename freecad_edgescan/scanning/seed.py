@@ -188,8 +188,12 @@ def measure_growing(
 
 
 def _doubt(station: Station, at: np.ndarray, settings: PatchSettings) -> float:
-    """How badly an edge is known, how little of its sides it explains, how far it lies."""
-    return station.sigma * (1.0 + _gap(station, at) / settings.cloud_pitch) / station.cover**2
+    """How badly an edge is known, how little of its sides it explains, how far it lies.
+
+    A click on a rounding lies away from the sharp edge by as much as the rounding takes.
+    """
+    excess = max(_gap(station, at) - 0.8 * max(station.begins), 0.0)
+    return station.sigma * (1.0 + excess / settings.cloud_pitch) / station.cover**2
 
 
 def _goes_on(cloud: PointCloud, seed: Seed, settings: PatchSettings) -> bool:

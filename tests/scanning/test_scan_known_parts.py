@@ -146,9 +146,6 @@ def test_rounded_rims_of_the_core_box_are_scanned_as_sharp_ones():
         assert truth.distance(edge.points).mean() < 0.05
 
 
-@pytest.mark.xfail(
-    strict=True, reason="each tangent is known by its own section only: 2° to 9° off"
-)
 def test_tangents_follow_the_edge_within_a_degree():
     _, edge = torus_scan(150, 150, 120, 4.0, 1.0, 35, 0.5, 0.2)
     radial = edge.points * [1, 1, 0]
@@ -158,7 +155,6 @@ def test_tangents_follow_the_edge_within_a_degree():
     assert tilt.max() < 5.0
 
 
-@pytest.mark.xfail(strict=True, reason="every point is called weakly supported")
 def test_points_of_a_rim_without_gaps_are_called_supported(box):
     """The first rim begins where the wall crosses the scan lines and is dense."""
     part, cloud = box

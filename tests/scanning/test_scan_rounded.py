@@ -67,7 +67,6 @@ def test_fillet_radii_scatter_as_their_sigma_says(wedge, degrees, radius):
     assert 0.5 < np.sqrt(np.nanmean(away**2)) < 1.6
 
 
-@pytest.mark.xfail(strict=True, reason="both ends are called corners")
 def test_a_filleted_edge_ends_where_its_cloud_ends(wedge):
     part = wedge(60.0, rounding=2.0, width=16.0)
     edge = scan_edge(part.cloud, part.at(0.1, 0.3))

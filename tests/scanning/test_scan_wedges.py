@@ -53,7 +53,6 @@ def test_an_edge_barely_sharper_than_the_least_angle_is_found(wedge):
     assert part.distance(edge.points).max() < expected_sigma(165)
 
 
-@pytest.mark.xfail(strict=True, reason="directions nearer than 14° are taken for one side")
 @pytest.mark.parametrize(("degrees", "share"), [(160, -0.3), (163, 0.1), (164, -0.2)])
 def test_every_edge_that_turns_by_the_least_angle_is_found(wedge, degrees, share):
     """The least angle is 0.26 rad, what an edge of 165.1° turns by."""

@@ -57,7 +57,6 @@ def test_what_makes_no_start_or_gate_is_refused_with_the_value(build, words):
         build()
 
 
-@pytest.mark.xfail(strict=True, reason="numpy's own error gets through")
 def test_something_that_is_no_point_at_all_is_a_scan_error_too():
     with pytest.raises(ScanError, match="start point"):
         Start("here", (1, 0, 0), (0, 1, 0))

@@ -228,7 +228,6 @@ def test_points_found_both_ways_are_each_told_once():
     assert told.max() > 53.0
 
 
-@pytest.mark.xfail(strict=True, reason="points of the second way are put behind those of the first")
 def test_points_so_far_are_in_walking_order():
     listener = Listener()
     edge = KnownEdge(straight, -45.0, 55.0)
