@@ -9,12 +9,13 @@ of the points between the two touching points, pooled over neighbouring sections
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import convolve1d
+from scipy.ndimage import convolve1d, median_filter, uniform_filter1d
 
 from .corner import Corners
 from .section import Frames, SectionPoints
 
 _POOLED = 2
+_NEIGHBOURS = 5  # sections on each side whose radii are compared
 _ITERATIONS = 8
 _EVIDENCE = 30.0  # chi-square by which a rounding must explain its points better than an edge
 
@@ -75,7 +76,7 @@ def rounding_radius(
         distance = np.maximum(np.hypot(arm, width), 1e-12)
         residual = distance - own
         slope = -arm / distance / sine[owner] - 1.0
-        used = (np.abs(width) < own * cosine[owner] + 0.5 * cloud_pitch) & (arm < 0)
+        used = (np.abs(width) < own * cosine[owner]) & (arm < 0)
         used &= np.abs(residual) < 4.0 * noise[owner] + 0.25 * own
         information = pool(slope**2 * used)
         step = pool(slope * residual * used) / np.maximum(information, 1e-12)
@@ -98,5 +99,17 @@ def rounding_radius(
     straight = radius
     radius = straight / np.maximum(1.0 - straight * curvature.mean(axis=1), 0.2)
     sigma = sigma / np.maximum(1.0 - straight * curvature.mean(axis=1), 0.2) ** 2
-    measurable = (radius > 3.0 * sigma) & (gained > _EVIDENCE) & (pool(1.0 * used) >= 5)
+    sigma = np.hypot(sigma, _scatter(radius, mode))
+    measurable = (radius > 2.0 * sigma) & (gained > _EVIDENCE) & (pool(1.0 * used) >= 5)
     return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)
+
+
+def _scatter(radius: np.ndarray, mode: str) -> np.ndarray:
+    """How much the radii of neighbouring sections differ beyond a steady change, (m,) mm.
+
+    The sections' own errors of side and angle, which the radius magnifies, show in it.
+    """
+    mode = "wrap" if mode == "wrap" else "nearest"
+    steady = median_filter(radius, size=min(2 * _NEIGHBOURS + 1, len(radius)), mode=mode)
+    square = uniform_filter1d((radius - steady) ** 2, 4 * _NEIGHBOURS + 1, mode=mode)
+    return np.sqrt(np.maximum(square, 0.0))

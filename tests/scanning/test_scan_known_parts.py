@@ -69,13 +69,14 @@ def test_the_edge_of_two_tori_is_scanned_to_its_gate(
     assert np.median(np.einsum("mi,mi->m", edge.tangents, ideal)) > 0.999
 
 
-@pytest.mark.xfail(strict=True, reason="the rounding is fitted between straight sides: 25 % short")
 @pytest.mark.parametrize(
     "row", [(8, 30, 110, 0.3, 0.5, 6, 0.1, 0.01), (75, 100, 120, 3.0, 2.0, 30, 1.0, 0.1)]
 )
 def test_a_fillet_between_curved_sides_is_measured(row):
     _, edge = torus_scan(*row)
-    assert np.nanmedian(edge.fillet_radius) == pytest.approx(row[3], rel=0.07)
+    # The cloud shows the sum of fillet and probe radius.
+    allowed = 0.05 * (row[3] + row[4])
+    assert np.nanmedian(edge.fillet_radius) == pytest.approx(row[3], abs=allowed)
 
 
 @pytest.mark.parametrize(
