@@ -33,6 +33,8 @@ _CHANCE = 0.01
 """Probability at which a span's misfit still counts as chance."""
 _UNNOTICED = float(chdtri(2, 1e-3))
 """Growth of chi-square by which a knot's absence is still within chance."""
+_TIGHTER = (0.8, 0.5, 0.2)
+"""Shares of a tolerance to aim at where the whole was missed."""
 _FREE_ALONG = 0.02
 """Weight along the curve, relative to across, once the parameters are good."""
 
@@ -62,8 +64,7 @@ def fit_curve(
     closed : bool
         Whether the curve leads from the last point back to the first; it is then periodic.
     tolerance : float, optional
-        Largest distance of a point from the curve, mm, to be reached instead of the sigma, as
-        far as one pole for every three points can.
+        Largest distance of a point from the curve, mm, to be reached instead of the sigma.
     degree : int
         Degree; it is lowered when there are not enough different points.
 
@@ -76,10 +77,20 @@ def fit_curve(
     ValueError: fewer than two different points (closed: three), or wrong sigmas.
     """
     data = WeightedPoints.prepare(points, sigma, covariance, tangents, closed)
+    fit = _fitted(data, degree, tolerance)
+    # The last parameters are better, and may bring a point just beyond the tolerance again.
+    for tighter in _TIGHTER if tolerance is not None else ():
+        if fit.deviation.max() <= tolerance:
+            break
+        fit = _fitted(data, degree, tighter * tolerance)
+    return fit.curve
+
+
+def _fitted(data: WeightedPoints, degree: int, tolerance: float | None) -> _Fit:
+    """Poles added where they are missing, removed where they are not, and parameters mended."""
     data, fit = _refined(data, _grown(data, degree, tolerance), 1, along=1.0)
     fit = _thinned(data, fit, tolerance)
-    _, fit = _refined(data, fit, 3, along=_FREE_ALONG)
-    return fit.curve
+    return _refined(data, fit, 3, along=_FREE_ALONG)[1]
 
 
 @dataclass(frozen=True, eq=False)
@@ -174,7 +185,9 @@ def _grown(data: WeightedPoints, degree: int, tolerance: float | None) -> _Fit:
         wrong = _misfitting_spans(data, fit, tolerance)
         if not wrong.any():
             return fit
-        added = _middles(different, breaks, wrong)
+        # A tolerance is to be kept; noise is not to be followed.
+        per_pole = _POINTS_PER_POLE if tolerance is None else 1
+        added = _middles(different, breaks, wrong, per_pole)
         if not len(added):
             break
         breaks = np.sort(np.append(breaks, added))
@@ -183,12 +196,14 @@ def _grown(data: WeightedPoints, degree: int, tolerance: float | None) -> _Fit:
     return min(tried, key=lambda fit: fit.information)
 
 
-def _middles(parameters: Array, breaks: Array, wrong: NDArray[np.bool_]) -> Array:
+def _middles(
+    parameters: Array, breaks: Array, wrong: NDArray[np.bool_], per_pole: int
+) -> Array:
     """Knots that halve the wrong spans between their points, where both halves keep enough."""
     edge = np.searchsorted(parameters, breaks)
     edge[-1] = len(parameters)
     first, count = edge[:-1], np.diff(edge)
-    wrong = wrong & (count >= 2 * _POINTS_PER_POLE)
+    wrong = wrong & (count >= 2 * per_pole)
     middle = (first + count // 2)[wrong]
     return (parameters[middle - 1] + parameters[middle]) / 2
 

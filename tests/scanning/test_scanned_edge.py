@@ -103,7 +103,6 @@ def test_the_curve_lies_nearer_to_the_edge_than_its_points(right_angle):
     assert len(curve.poles) <= 8
 
 
-@pytest.mark.xfail(strict=True, reason="points stay 0.021 mm away at a tolerance of 0.01 mm")
 def test_a_tolerance_bounds_the_distance_of_the_points_from_the_curve(right_angle):
     edge = right_angle[1]
     wide, narrow = edge.curve(tolerance=0.1), edge.curve(tolerance=0.01)
