@@ -78,11 +78,12 @@ def fit_curve(
     """
     data = WeightedPoints.prepare(points, sigma, covariance, tangents, closed)
     fit = _fitted(data, degree, tolerance)
-    # The last parameters are better, and may bring a point just beyond the tolerance again.
-    for tighter in _TIGHTER if tolerance is not None else ():
-        if fit.deviation.max() <= tolerance:
-            break
-        fit = _fitted(data, degree, tighter * tolerance)
+    if tolerance is not None:
+        # The last parameters are better, and may bring a point just beyond the tolerance again.
+        for tighter in _TIGHTER:
+            if fit.deviation.max() <= tolerance:
+                break
+            fit = _fitted(data, degree, tighter * tolerance)
     return fit.curve
 
 

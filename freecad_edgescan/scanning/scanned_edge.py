@@ -96,7 +96,13 @@ class ScannedEdge:
         """
         from ..geometry import fit_curve
 
-        return fit_curve(self.points, self.sigma, closed=self.closed, tolerance=tolerance)
+        return fit_curve(
+            self.points,
+            self.sigma,
+            covariance=self.covariance_3d,
+            closed=self.closed,
+            tolerance=tolerance,
+        )
 
     @cached_property
     def primitive(self) -> Line | Circle | None:
