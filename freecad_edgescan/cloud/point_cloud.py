@@ -100,6 +100,11 @@ class PointCloud:
         lowest, highest = self.bounds
         return np.asarray(highest - lowest, dtype=np.float64)
 
+    @cached_property
+    def principal_extents(self) -> Array:
+        """Extents along the cloud's own principal axes, (3,) mm, largest first."""
+        return _principal_extents(self.points)
+
     @property
     def origin_hint(self) -> Array:
         """A local origin in whole mm, (3,), to subtract before going through float32.
@@ -151,8 +156,8 @@ def require_surface(cloud: PointCloud) -> None:
             f"The cloud holds {len(cloud)} points; an edge needs at least {FEWEST_POINTS}. "
             "Take a larger region or a denser scan."
         )
-    extents = _principal_extents(cloud.points)
-    blur = 1e-6 * extents[0] + 16 * np.finfo(float).eps * np.abs(cloud.points).max()
+    extents = cloud.principal_extents
+    blur = 1e-6 * extents[0] + 16 * np.finfo(float).eps * float(np.abs(cloud.bounds).max())
     if extents[0] <= blur:
         x, y, z = cloud.points[0]
         raise ValueError(

@@ -197,9 +197,7 @@ def _grown(data: WeightedPoints, degree: int, tolerance: float | None) -> _Fit:
     return min(tried, key=lambda fit: fit.information)
 
 
-def _middles(
-    parameters: Array, breaks: Array, wrong: NDArray[np.bool_], per_pole: int
-) -> Array:
+def _middles(parameters: Array, breaks: Array, wrong: NDArray[np.bool_], per_pole: int) -> Array:
     """Knots that halve the wrong spans between their points, where both halves keep enough."""
     edge = np.searchsorted(parameters, breaks)
     edge[-1] = len(parameters)

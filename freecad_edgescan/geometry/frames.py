@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
+    "cross",
     "curvature_of_three_points",
     "curvature_of_polyline",
     "orthonormalise",
@@ -15,6 +16,13 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
+_NEXT = np.array([1, 2, 0])
+_AFTER = np.array([2, 0, 1])
+
+
+def cross(one: Array, other: Array) -> Array:
+    """Cross product of (..., 3) arrays: NumPy's, without its care for other shapes."""
+    return one[..., _NEXT] * other[..., _AFTER] - one[..., _AFTER] * other[..., _NEXT]
 
 
 def rotate(vectors: ArrayLike, axis: ArrayLike, angle: ArrayLike) -> Array:

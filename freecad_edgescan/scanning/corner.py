@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..geometry.frames import cross
 from .section import Frames
 from .side_fit import SideFits
 
@@ -95,11 +96,11 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
     flat = np.einsum("mka,mai->mki", gradient, axes)
     normals = flat - slope[..., None] * frames.tangent[:, None]
     normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
-    tangent = np.cross(normals[:, 0], normals[:, 1])
+    tangent = cross(normals[:, 0], normals[:, 1])
     tangent *= np.sign(np.einsum("mi,mi->m", tangent, frames.tangent))[:, None]
     size = np.linalg.norm(tangent, axis=-1, keepdims=True)
     tangent = np.where(size > 1e-6, tangent / np.maximum(size, 1e-300), frames.tangent)
-    sides = np.cross(normals, tangent[:, None])
+    sides = cross(normals, tangent[:, None])
     sides *= np.where(np.einsum("mki,mki->mk", sides, frames.sides) < 0, -1.0, 1.0)[..., None]
     variances = _variance_at(fits, along_side, along_normal, shift, gradient * distance[:, :, None])
     inverse = _inverse_2x2(gradient)

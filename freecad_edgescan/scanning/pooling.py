@@ -28,9 +28,8 @@ from .side_fit import (
 )
 
 _POOLED = 4  # sections on each side that decide together
-_STRIDE = 3  # sections from one decision to the next
+_STRIDES = (8, 4, 3)  # sections from one decision to the next, first to last
 _POOLED_CURVATURE = 8
-_CLEANINGS = 2
 
 
 def cleaned(
@@ -41,9 +40,9 @@ def cleaned(
     A block that loses many of its points, as where a rounding begins, is not used: the points it
     keeps only look like the side.
     """
-    pooled = _decide(points, path, settings, noise, None)
+    pooled = _decide(points, path, settings, noise, None, _STRIDES[0])
     removed = np.zeros(len(points.index), dtype=bool)
-    for _ in range(_CLEANINGS):
+    for stride in _STRIDES[1:]:
         limit = 3.5 * np.maximum(np.sqrt(pooled.variance) * pooled.reach, 0.5 * noise)
         removed = np.abs(pooled.residuals(points)) > limit[points.owner, points.side]
         lost, left = (
@@ -51,7 +50,7 @@ def cleaned(
             for part in (removed, ~removed)
         )
         doubtful = lost > 0.25 * (lost + left)
-        pooled = _decide(points[~removed], path, settings, noise, doubtful)
+        pooled = _decide(points[~removed], path, settings, noise, doubtful, stride)
     return pooled, removed
 
 
@@ -90,12 +89,13 @@ def _decide(
     settings: PatchSettings,
     noise: float,
     doubtful: np.ndarray | None,
+    stride: int,
 ) -> SideFits:
     """Stretches decided on pooled points at every few sections, and fitted at every one."""
     reach = settings.reach
     moments = _pool(evened_moments(points, path, settings), path)
     expected = path.frames.curvature * reach
-    few = np.arange(0, len(path), _STRIDE)
+    few = np.arange(0, len(path), stride)
     chosen = choose_stretches(
         moments[few],
         reach,
@@ -105,7 +105,7 @@ def _decide(
         scatter=1.8,
         doubtful=None if doubtful is None else doubtful[few],
     )
-    nearest = np.minimum((np.arange(len(path)) + _STRIDE // 2) // _STRIDE, len(few) - 1)
+    nearest = np.minimum((np.arange(len(path)) + stride // 2) // stride, len(few) - 1)
     stretch = chosen.stretch[nearest]
     fits = fit_summed(
         sum_stretches(moments, stretch),

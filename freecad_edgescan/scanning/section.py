@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
+from ..geometry.frames import cross
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -91,7 +93,7 @@ def frames_from_sides(
     tangent = tangent / np.linalg.norm(tangent, axis=-1, keepdims=True)
     sides = sides - np.einsum("mki,mi->mk", sides, tangent)[..., None] * tangent[:, None]
     sides = sides / np.linalg.norm(sides, axis=-1, keepdims=True)
-    normals = np.cross(tangent[:, None], sides)
+    normals = cross(tangent[:, None], sides)
     outward = -np.einsum("mki,mki->mk", normals, sides[:, ::-1])
     normals = normals * np.where(outward < 0.0, -1.0, 1.0)[..., None]
     bend = np.zeros_like(origin) if bend is None else bend

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ..geometry.frames import cross
 from .progress import Progress, SoFar
 from .section import Frames, Section, Station, frames_from_sides
 from .stop import Stop
@@ -137,9 +138,9 @@ def reversed_frame(frame: Frames) -> Frames:
 
 def _carry(vectors: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
     """Turn vectors (m, k, 3) by the smallest rotation that takes one tangent to the next."""
-    axis = np.cross(before, after)
+    axis = cross(before, after)
     cosine = np.einsum("mi,mi->m", before, after)[:, None, None]
-    crossed = np.cross(axis[:, None], vectors)
+    crossed = cross(axis[:, None], vectors)
     return (
         vectors * cosine
         + crossed
