@@ -20,6 +20,11 @@ __all__ = ["draw_edges", "draw_on"]
 Array = NDArray[np.float64]
 
 FROM_THE_CORNER = np.array([1.0, -1.2, 0.9])  # the view when the edges do not suggest one
+# Told apart from each other and from the grey relief.
+COLOURS = (
+    *("C0", "C1", "C2", "C3", "C4", "C5", "C6", "black", "C8", "C9"),
+    *("lime", "magenta", "navy", "gold"),
+)
 _HEIGHT = 7.0  # inches, of both drawings
 _WIDEST = 15.0  # inches, of both together
 
@@ -77,7 +82,7 @@ def draw_on(
         points = np.vstack([edge.points, edge.points[:1]]) if edge.closed else edge.points
         right, up, _ = seen.project(points).T
         shown = seen.visible(points)
-        colour = f"C{number % 10}"
+        colour = COLOURS[number % len(COLOURS)]
         axes.plot(right, up, color=colour, lw=1, alpha=0.35)
         name = f"edge {number + 1}" if names is None else names[number]
         axes.plot(np.where(shown, right, np.nan), up, color=colour, lw=2.2, label=name)
