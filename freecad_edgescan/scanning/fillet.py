@@ -25,6 +25,7 @@ def rounding_radius(
     points: SectionPoints,
     corner: Corners,
     curvature: np.ndarray,
+    begins: np.ndarray,
     noise: np.ndarray,
     cloud_pitch: float,
     closed: bool,
@@ -35,6 +36,7 @@ def rounding_radius(
     ----------
     corner : edge points of the cloud itself, sides not moved by the probe radius
     curvature : (m, 2) of the sides, 1/mm
+    begins : (m, 2) distances from the edge where the sides begin, mm: no rounding is wider
     noise : (m,) mm
     """
     mode = "wrap" if closed else "constant"
@@ -66,7 +68,9 @@ def rounding_radius(
 
     sine, cosine = np.sin(half), np.cos(half)
     # The gap between the edge and the rounding's top gives the first radius.
-    top = (np.abs(width) < cloud_pitch) & (np.abs(depth) < 20.0 * cloud_pitch)
+    largest = (1.3 * begins.max(axis=1) + 2.0 * cloud_pitch) * sine / cosine
+    deepest = largest * (1.0 / sine - 1.0) + cloud_pitch
+    top = (np.abs(width) < cloud_pitch) & (np.abs(depth) < deepest[owner])
     gap = pool(depth * top) / np.maximum(pool(1.0 * top), 1.0)
     radius = np.maximum(gap, 0.0) / np.maximum(1.0 / sine - 1.0, 1e-3)
     information = np.zeros(sections)
@@ -80,7 +84,8 @@ def rounding_radius(
         used &= np.abs(residual) < 4.0 * noise[owner] + 0.25 * own
         information = pool(slope**2 * used)
         step = pool(slope * residual * used) / np.maximum(information, 1e-12)
-        radius = np.maximum(radius - np.clip(step, -0.5 * radius, radius + cloud_pitch), 0.0)
+        radius = radius - np.clip(step, -0.5 * radius, radius + cloud_pitch)
+        radius = np.clip(radius, 0.0, largest)
     own = radius[owner]
     arm = depth - own / sine[owner]
     residual = np.hypot(arm, width) - own

@@ -21,8 +21,9 @@ from .side_fit import SideFits
 from .stop import Stop
 from .trace import EdgeGate, Trace
 
-_FAR_WORSE = 3.0  # times the usual sigma of a side, where an end is not believed
-_LAST = 2  # sections at each end to which that applies
+# Times the usual, where an end of an edge is not believed.
+_MOST_SCATTER = 4.5
+_MOST_LEVERAGE = 4.0
 
 
 def finish_edge(
@@ -50,7 +51,7 @@ def finish_edge(
     )
     measured = measure_together(cloud, path, settings, noise)
     if not trace.closed:
-        measured = _without_unsupported_ends(measured, settings.cloud_pitch)
+        measured = _without_unsupported_ends(measured, trace.stops, settings.cloud_pitch)
     if arrived is not None and trace.stops[1] is Stop.GATE:
         measured = select_sections(measured, _until(arrived, measured.corners().point))
     frames = measured.frames
@@ -60,6 +61,7 @@ def finish_edge(
         measured.points,
         seen,
         measured.fits.coefficients[..., 2] / measured.fits.reach,
+        measured.fits.begins,
         measured.noise.max(axis=1),
         settings.cloud_pitch,
         trace.closed,
@@ -129,18 +131,35 @@ def _until(arrived: EdgeGate, points: np.ndarray) -> slice:
     return slice(0, len(points))
 
 
-def _without_unsupported_ends(measured: Measured, cloud_pitch: float) -> Measured:
-    """Leave out sections at the ends that stand beyond their points, or hardly on any."""
+def _without_unsupported_ends(
+    measured: Measured, stops: tuple[Stop, Stop], cloud_pitch: float
+) -> Measured:
+    """Leave out sections at the ends that stand beyond their points, or on unlikely ones.
+
+    A walk may overshoot: where a side has ended, points of other surfaces keep it going for a
+    while, and scatter. A start that was given and a gate are no such ends; only their very last
+    sections, which have neighbours on one side alone, are looked at.
+    """
     first, last = measured.extent
     reached = (measured.at > first - 0.3 * cloud_pitch) & (measured.at < last + 0.3 * cloud_pitch)
-    known = np.sqrt(measured.fits.inverse[..., 0, 0])
-    known_well = np.all(known < _FAR_WORSE * np.median(known, axis=0), axis=1)
-    known_well[_LAST:-_LAST] = True
-    reached &= known_well
-    good = np.flatnonzero(reached & np.all(measured.fits.count >= 6, axis=1))
-    if not len(good):
+    reached &= np.all(measured.fits.count >= 6, axis=1)
+    scatter = measured.noise / np.median(measured.noise, axis=0)
+    leverage = np.sqrt(measured.fits.inverse[..., 0, 0])
+    leverage /= np.median(leverage, axis=0)
+    sound = reached & measured.supplied
+    sound &= np.all((scatter < _MOST_SCATTER) & (leverage < _MOST_LEVERAGE), axis=1)
+    given = reached & (sound | _inside(len(sound)))
+    good = [np.flatnonzero(given if stop in (Stop.START, Stop.GATE) else sound) for stop in stops]
+    if not len(good[0]) or not len(good[1]) or good[0][0] > good[1][-1]:
         return measured
-    return select_sections(measured, slice(good[0], good[-1] + 1))
+    return select_sections(measured, slice(good[0][0], good[1][-1] + 1))
+
+
+def _inside(sections: int) -> np.ndarray:
+    """All sections but the last two at each end, (m,) bool."""
+    inside = np.ones(sections, dtype=bool)
+    inside[:2] = inside[-2:] = False
+    return inside
 
 
 def select_sections(measured: Measured, part: slice) -> Measured:

@@ -26,9 +26,11 @@ from .scanned_edge import ScannedEdge
 from .section import Station
 from .seed import Seed, find_seed, nearest_seed
 from .start import Gate, Start, numbers
+from .stop import Stop
 from .trace import LineGate, PointGate, Trace, trace_both_ways, trace_one_way, turned
 
 Point = Sequence[float] | np.ndarray
+_FEWEST_POINTS = 3  # edge points that make an edge
 _FARTHEST_CLICK = 10.0  # pitches from the nearest cloud point
 _CLOSE_CLICK = 4.0  # pitches from an edge within which a click means it
 _LOOK_AROUND = 60.0  # pitches round a click without an edge, to name the nearest one
@@ -82,14 +84,15 @@ def scan_edge(
     section = PatchSection(cloud, chosen.settings)
     arrived = _gate(gate, start, first, chosen)
     trace = _trace(section, first, start, arrived, progress)
-    if len(trace.stations) < 3:
-        raise ScanError(
-            f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
-            f"{trace.stops[1].value} within two steps. Click farther from its ends, or give a "
-            "larger amplitude."
-        )
-    edge = finish_edge(cloud, trace, chosen, arrived)
-    return replace(edge, message=describe(edge, gate))
+    if len(trace.stations) >= _FEWEST_POINTS or Stop.CANCELLED in trace.stops:
+        edge = finish_edge(cloud, trace, chosen, arrived)
+        if len(edge) >= _FEWEST_POINTS or Stop.CANCELLED in trace.stops:
+            return replace(edge, message=describe(edge, gate))
+    raise ScanError(
+        f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
+        f"{trace.stops[1].value} within two steps. Click farther from its ends, or give a "
+        "larger amplitude."
+    )
 
 
 def _near(cloud: PointCloud, at: Point | Start, parameters: ScanParameters) -> np.ndarray:

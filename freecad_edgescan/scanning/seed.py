@@ -23,6 +23,7 @@ from .walker import jumped, predict, reversed_frame
 _BALLS = (4.0, 6.0, 9.0, 14.0, 20.0, 30.0)  # radii round the click, in pitches
 _NEIGHBOURS = 16
 _SAME_DIRECTION = np.radians(14.0)  # at most; less where flatter edges are wanted
+_LARGEST_SIGMA = 0.5  # pitches
 _GROWTH = 1.7  # of the reach, from one measurement to the next
 
 
@@ -154,7 +155,11 @@ def _confirmed(
     if seed is None:
         return None
     station, found = seed.station, seed.station.frame
-    if found.turn[0] < settings.min_angle or station.sigma > settings.cloud_pitch:
+    if found.turn[0] < settings.min_angle or station.sigma > _LARGEST_SIGMA * settings.cloud_pitch:
+        return None
+    # The edge may lie over a rounding, but not farther from the cloud than that takes away.
+    apart = float(cloud.tree.query(found.origin[0])[0])
+    if apart > max(station.begins) + 3.0 * settings.cloud_pitch:
         return None
     if _gap(station, at) > (within or max(radius, 4.0 * settings.cloud_pitch)):
         return None
@@ -190,9 +195,10 @@ def measure_growing(
 def _doubt(station: Station, at: np.ndarray, settings: PatchSettings) -> float:
     """How badly an edge is known, how little of its sides it explains, how far it lies.
 
-    A click on a rounding lies away from the sharp edge by as much as the rounding takes.
+    A click on a rounding lies away from the sharp edge by as much as the rounding takes, and a
+    rounding takes away from both sides.
     """
-    excess = max(_gap(station, at) - 0.8 * max(station.begins), 0.0)
+    excess = max(_gap(station, at) - 0.8 * min(station.begins), 0.0)
     return station.sigma * (1.0 + excess / settings.cloud_pitch) / station.cover**2
 
 
