@@ -24,6 +24,7 @@ from .trace import EdgeGate, Trace
 # Times the usual, where an end of an edge is not believed.
 _MOST_SCATTER = 4.5
 _MOST_LEVERAGE = 4.0
+_NO_NOISE = 1e-3  # pitches
 
 
 def finish_edge(
@@ -143,7 +144,9 @@ def _without_unsupported_ends(
     first, last = measured.extent
     reached = (measured.at > first - 0.3 * cloud_pitch) & (measured.at < last + 0.3 * cloud_pitch)
     reached &= np.all(measured.fits.count >= 6, axis=1)
-    scatter = measured.noise / np.median(measured.noise, axis=0)
+    # Without noise the scatter is that of rounding errors, and says nothing.
+    scatter = measured.noise + _NO_NOISE * cloud_pitch
+    scatter = scatter / np.median(scatter, axis=0)
     leverage = np.sqrt(measured.fits.inverse[..., 0, 0])
     leverage /= np.median(leverage, axis=0)
     sound = reached & measured.supplied
