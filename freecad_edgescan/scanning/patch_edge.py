@@ -91,6 +91,7 @@ def finish_edge(
         scan_lines=ScanLines(
             frames, measured.points, measured.removed, measured.fits, seen.point, edge.point
         ),
+        overhang=cloud.tree.query(seen.point)[0],
         parameters=chosen.parameters,
         reasons=chosen.reasons,
     )

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
-from .corner import corners
+from .corner import Corners, corners
 from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
 from .side_fit import SideFits, block_counts, block_moments, choose_stretches, without_crowds
 from .stop import Stop
@@ -24,6 +24,7 @@ _MEASUREMENTS = 3
 _MOST_BENT = 0.4  # rad, turn of the edge within half a slab
 _MOST_SCATTER = 5.0  # times the noise, of the better side, at which it is no side any more
 _ENDING = 6.0  # pitches round the last edge point in which to see why a walk ended
+_HANGING = 3.0  # pitches: what an edge point may be off the nearest point besides a rounding
 _FOREIGN = 6  # points there that make a surface
 _WIDER = (2.0, 4.0)  # of the slab, where it holds too few points
 
@@ -137,7 +138,7 @@ class PatchSection:
         if np.any(fits.count < 6) or not np.all(_reached(kept)):
             return missing
         corner = corners(frame, fits)
-        if not corner.found[0]:
+        if not corner.found[0] or self._hanging(corner, fits, points):
             return Station(frame, stop=Stop.LOST)
         measured = frames_from_sides(
             corner.point,
@@ -157,6 +158,19 @@ class PatchSection:
         elif noise > _MOST_SCATTER * settings.noise:
             stop = Stop.CORNER
         return Station(measured, sigma, noise, begins, _cover(kept, fits), stop)
+
+    def _hanging(self, corner: Corners, fits: SideFits, points: SectionPoints) -> bool:
+        """Whether the edge point hangs farther in the air than a rounding can take away.
+
+        A rounding that touches both sides where they begin leaves b (1 − sin θ/2) / cos θ/2 between
+        its top and the edge. Sides that meet farther outside, like the two faces of a thin plate
+        that a fit has bent towards each other, have no edge there.
+        """
+        cosine = float(corner.sides[0, 0] @ corner.sides[0, 1])
+        half = 0.5 * np.arccos(np.clip(cosine, -1.0, 1.0))
+        rounded = float(fits.begins[0].max()) * (1.0 - np.sin(half)) / max(np.cos(half), 1e-3)
+        near = np.linalg.norm(self.cloud.points[points.index] - corner.point[0], axis=1).min()
+        return bool(near > 1.3 * rounded + _HANGING * self.settings.cloud_pitch)
 
     def _fit(
         self,

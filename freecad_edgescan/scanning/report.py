@@ -3,9 +3,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from .scanned_edge import ScannedEdge
 from .stop import Stop
 
+_FAR_OUTSIDE = 4.0  # pitches
 _ADVICE = {
     Stop.LOST: "try a larger amplitude, or click again beyond the place",
     Stop.SMOOTH: "the turn between the sides fell below the least angle",
@@ -38,6 +41,12 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
     if probe and edge.parameters.approach is None:
         kind = "an outer edge, rounded by the probe" if edge.convex else "an inner edge, sharp"
         sentences.append(f"The rim tells that this is {kind}: taken off {probe:g} mm accordingly.")
+    outside = float(np.median(edge.overhang)) if len(edge.overhang) else 0.0
+    if outside > _FAR_OUTSIDE * (edge.parameters.cloud_pitch or np.inf):
+        sentences.append(
+            f"The two sides meet {outside:.3g} mm outside the points: a rounding or wear has taken "
+            "the edge away, or there never was a sharp one."
+        )
     bridged = int((~edge.supported).sum())
     if bridged:
         sentences.append(f"{bridged} of {len(edge)} edge points bridge gaps in the cloud.")
@@ -52,6 +61,8 @@ def _ends(edge: ScannedEdge) -> str:
     if edge.closed:
         return f"{size}; the edge is closed."
     start, end = edge.stops
+    if start is end:
+        return f"{size}; both ends {end.value}."
     if start is Stop.START:
         return f"{size}; from the start the walk {end.value}."
     return f"{size}; one end {start.value}, the other {end.value}."

@@ -86,6 +86,7 @@ def scan_edge(
     trace = _trace(section, first, start, arrived, progress)
     if len(trace.stations) >= _FEWEST_POINTS or Stop.CANCELLED in trace.stops:
         edge = finish_edge(cloud, trace, chosen, arrived)
+        _check_known(edge, chosen)
         if len(edge) >= _FEWEST_POINTS or Stop.CANCELLED in trace.stops:
             return replace(edge, message=describe(edge, gate))
     raise ScanError(
@@ -93,6 +94,18 @@ def scan_edge(
         f"{trace.stops[1].value} within two steps. Click farther from its ends, or give a "
         "larger amplitude."
     )
+
+
+def _check_known(edge: ScannedEdge, chosen: Chosen) -> None:
+    """An edge known worse than the cloud's pitch is none."""
+    sigma = float(np.median(edge.sigma)) if len(edge) else 0.0
+    pitch = chosen.settings.cloud_pitch
+    if sigma > pitch:
+        raise ScanError(
+            f"What meets near ({_text(edge.points[len(edge) // 2])}) is known only to "
+            f"{sigma:.3g} mm (one sigma), worse than the cloud's pitch of {pitch:.3g} mm: the "
+            "sides are too narrow, too curved or too noisy. Click elsewhere, or scan denser."
+        )
 
 
 def _near(cloud: PointCloud, at: Point | Start, parameters: ScanParameters) -> np.ndarray:

@@ -42,6 +42,8 @@ class ScannedEdge:
     closed : whether the last point leads back to the first
     stops : why the edge ends, at its start and at its end
     message : what happened and what to try, for a person
+    overhang : (m,) mm, how far from the nearest cloud point the two sides meet: little at a sharp
+        edge, much where a rounding or wear took the edge away
     vertices : at start and end, the point where surfaces meet with its covariance, or None
     parameters : the parameters with every automatic value filled in
     reasons : why each automatic value was chosen, by parameter name
@@ -62,6 +64,7 @@ class ScannedEdge:
     stops: tuple[Stop, Stop]
     message: str
     scan_lines: ScanLines
+    overhang: np.ndarray = field(default_factory=lambda: np.zeros(0))
     vertices: tuple[Vertex | None, Vertex | None] = (None, None)
     parameters: ScanParameters = field(default_factory=ScanParameters)
     reasons: Mapping[str, str] = field(default_factory=dict)

@@ -157,10 +157,6 @@ def _confirmed(
     station, found = seed.station, seed.station.frame
     if found.turn[0] < settings.min_angle or station.sigma > _LARGEST_SIGMA * settings.cloud_pitch:
         return None
-    # The edge may lie over a rounding, but not farther from the cloud than that takes away.
-    apart = float(cloud.tree.query(found.origin[0])[0])
-    if apart > max(station.begins) + 3.0 * settings.cloud_pitch:
-        return None
     if _gap(station, at) > (within or max(radius, 4.0 * settings.cloud_pitch)):
         return None
     if along is not None:
