@@ -8,7 +8,7 @@ import numpy as np
 from .scanned_edge import ScannedEdge
 from .stop import Stop
 
-_FAR_OUTSIDE = 4.0  # pitches
+_FAR_OUTSIDE = 3.0  # pitches
 _ADVICE = {
     Stop.LOST: "try a larger amplitude, or click again beyond the place",
     Stop.SMOOTH: "the turn between the sides fell below the least angle",
