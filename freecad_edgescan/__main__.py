@@ -9,20 +9,23 @@ code 2. The numbers packages are imported when a command needs them, so that hel
 from __future__ import annotations
 
 import argparse
+import os
 import re
 import sys
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from freecad_edgescan.terminal_progress import TerminalProgress
+from freecad_edgescan.terminal_progress import TerminalProgress, tell
 
 if TYPE_CHECKING:
     from freecad_edgescan.cloud import PointCloud
     from freecad_edgescan.scanning import ScannedEdge
 
 Vector = tuple[float, float, float]
+
+PICTURES = (".png", ".svg", ".pdf", ".jpg")
 
 SCAN_EXAMPLES = """examples:
   edgescan scan part.ply --at 12.5,-3,40 -o edge.step
@@ -54,14 +57,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = _parser().parse_args(_bind_negative_values(words))
     warnings.showwarning = _show_warning
     try:
-        return int(options.run(options))
+        code = int(options.run(options))
+        sys.stdout.flush()
+        return code
+    except BrokenPipeError:  # whoever read what is printed has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
     except (ValueError, OSError, ImportError, MemoryError) as error:
         if options.debug:
             raise
-        print(f"edgescan: {_sentence(error)}", file=sys.stderr)
+        tell(_sentence(error))
         return 2
     except KeyboardInterrupt:
-        print("edgescan: stopped.", file=sys.stderr)
+        tell("stopped.")
         return 130
 
 
@@ -184,7 +192,7 @@ def _sentence(error: BaseException) -> str:
 
 def _show_warning(message: Warning | str, category: type[Warning], *_: Any, **__: Any) -> None:
     if issubclass(category, UserWarning):  # the others speak to programmers
-        print(f"edgescan: {message}", file=sys.stderr)
+        tell(str(message))
 
 
 # ---------------------------------------------------------------- sub-commands
@@ -195,33 +203,66 @@ def _scan(options: argparse.Namespace) -> int:
     from freecad_edgescan.scanning import ScanParameters
 
     targets = _targets(options)
-    for path in options.output:
-        _check_output(path, (".step", ".stp", ".csv"))
-    for picture in (options.picture, options.section):
-        if picture:
-            _check_output(picture, (".png", ".svg", ".pdf", ".jpg"))
+    _check_outputs(options, len(targets))
     parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
     cloud = read_cloud(options.file, options.probe_radius, options.approach)
     edges, code = _scan_targets(cloud, targets, parameters)
     if not edges:
         return code
-    print(_table(edges))
+    written: list[Path] = []
+    try:  # files first: who reads what is printed may go away
+        for path in _write(options, cloud, targets, edges):
+            written.append(path)
+    finally:
+        print(_table(edges))
+        for path in written:
+            print(f"Wrote {path}")
+    return code
+
+
+def _write(
+    options: argparse.Namespace,
+    cloud: PointCloud,
+    targets: Sequence[tuple[Any, Any]],
+    edges: dict[int, ScannedEdge],
+) -> Iterator[Path]:
+    """Write what was asked for, and name each file when it is written."""
     for path in options.output:
-        _write_edges(edges, path)
+        if path.suffix.lower() == ".csv":
+            for number, edge in edges.items():
+                edge.to_csv(file := _numbered(path, number, len(targets)))
+                yield file
+        else:
+            _write_step(edges, path)
+            yield path
     if options.picture:
         from freecad_edgescan.experiments import draw_edges
 
         names = [f"edge {number}" for number in edges]
         draw_edges(cloud, list(edges.values()), options.picture, options.view, names)
-        print(f"Wrote {options.picture}")
+        yield options.picture
     if options.section:
         from freecad_edgescan.experiments import draw_section
 
         number, edge = next(iter(edges.items()))
         at = targets[number - 1][0]
         draw_section(edge, getattr(at, "point", at), options.section)
-        print(f"Wrote {options.section}")
-    return code
+        yield options.section
+
+
+def _numbered(path: Path, number: int, of: int) -> Path:
+    """The table of one click of several: name-1.csv, name-2.csv and so on."""
+    return path if of == 1 else path.with_stem(f"{path.stem}-{number}")
+
+
+def _write_step(edges: dict[int, ScannedEdge], path: Path) -> None:
+    try:
+        from freecad_edgescan.document import export_step
+    except ImportError as error:
+        raise ValueError(
+            f"{path} needs FreeCAD, which did not load ({error}); write .csv instead."
+        ) from error
+    export_step(list(edges.values()), path)
 
 
 def _targets(options: argparse.Namespace) -> list[tuple[Any, Any]]:
@@ -250,11 +291,29 @@ def _targets(options: argparse.Namespace) -> list[tuple[Any, Any]]:
     return [(Start(options.start, options.across, options.along), gate)]
 
 
-def _check_output(path: Path, endings: Sequence[str]) -> None:
+def _check_outputs(options: argparse.Namespace, clicks: int) -> None:
+    """Refuse, before anything is read, what cannot be written or would write over the scan."""
+    for path in options.output:
+        _check_output(path, (".step", ".stp", ".csv"), options.file)
+        if path.suffix.lower() == ".csv":
+            for number in range(1, clicks + 1):
+                _check_not_the_scan(_numbered(path, number, clicks), options.file)
+    for picture in (options.picture, options.section):
+        if picture:
+            _check_output(picture, PICTURES, options.file)
+
+
+def _check_output(path: Path, endings: Sequence[str], scan: str) -> None:
+    _check_not_the_scan(path, scan)
     if path.suffix.lower() not in endings:
         raise ValueError(f"{path} has an unknown ending; use one of {' '.join(endings)}.")
     if not path.parent.is_dir():
         raise ValueError(f"{path} cannot be written: there is no folder {path.parent}.")
+
+
+def _check_not_the_scan(path: Path, scan: str) -> None:
+    if path.exists() and Path(scan).exists() and path.samefile(scan):
+        raise ValueError(f"{path} is the scan itself, which is never overwritten; name another.")
 
 
 def _scan_targets(
@@ -275,7 +334,7 @@ def _scan_targets(
                 )
             except ValueError as error:
                 progress.clear()
-                print(f"edgescan: edge {number}: {error}", file=sys.stderr)
+                tell(f"edge {number}: {error}")
         if progress.cancelled:
             return edges, _exit_code(progress)
     return edges, 0 if len(edges) == len(targets) else 2
@@ -285,7 +344,7 @@ def _exit_code(progress: TerminalProgress) -> int:
     """0, or what a shell expects after Ctrl-C."""
     if not progress.cancelled:
         return 0
-    print("edgescan: stopped; what was found so far is kept.", file=sys.stderr)
+    tell("stopped; what was found so far is kept.")
     return 130
 
 
@@ -305,28 +364,16 @@ def _table(edges: dict[int, ScannedEdge]) -> str:
         sigma, angle = np.mean(edge.sigma), np.degrees(np.mean(edge.angle))
         lines.append(
             f"{number:4d}  {len(edge.points):6d}  {length:9.3f}  {stops:<24}"
-            f"  {sigma:7.4f}  {angle:6.1f}  {radius}"
+            f"  {_digits(sigma):>7}  {angle:6.1f}  {radius}"
         )
         if edge.message:
             lines.append(f"      {edge.message}")
     return "\n".join(lines)
 
 
-def _write_edges(edges: dict[int, ScannedEdge], path: Path) -> None:
-    if path.suffix.lower() == ".csv":
-        for number, edge in edges.items():
-            file = path if len(edges) == 1 else path.with_stem(f"{path.stem}-{number}")
-            edge.to_csv(file)
-            print(f"Wrote {file}")
-        return
-    try:
-        from freecad_edgescan.document import export_step
-    except ImportError as error:
-        raise ValueError(
-            f"{path} needs FreeCAD, which did not load ({error}); write .csv instead."
-        ) from error
-    export_step(list(edges.values()), path)
-    print(f"Wrote {path}")
+def _digits(sigma: float) -> str:
+    """Four decimals, or two significant digits where these would say less."""
+    return f"{sigma:.4f}" if sigma >= 0.00095 else f"{sigma:.2g}"
 
 
 def _info(options: argparse.Namespace) -> int:

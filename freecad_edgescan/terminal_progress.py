@@ -7,11 +7,18 @@ import math
 import signal
 import sys
 import threading
+from contextlib import suppress
 from time import monotonic
 from types import FrameType
 from typing import Any
 
-__all__ = ["TerminalProgress"]
+__all__ = ["TerminalProgress", "tell"]
+
+
+def tell(sentence: str) -> None:
+    """Say a sentence on stderr; silent where nobody reads it any more."""
+    with suppress(BrokenPipeError):
+        print(f"edgescan: {sentence}", file=sys.stderr, flush=True)
 
 
 class TerminalProgress:
@@ -44,23 +51,28 @@ class TerminalProgress:
         """Tell the share that is done and what there is so far; False once Ctrl-C was pressed."""
         if monotonic() - self._told >= self._pause:
             self._told = monotonic()
-            self._write(" ".join(filter(None, (self.task, _share(fraction), _amount(so_far)))))
+            news = ", ".join(filter(None, (_share(fraction), _amount(so_far))))
+            self._write(": ".join(filter(None, (self.task, news))))
         return not self.cancelled
 
     def clear(self) -> None:
         """Take the line off the terminal again."""
         if self._rewrites and self._width:
-            sys.stderr.write("\r" + " " * self._width + "\r")
-            sys.stderr.flush()
+            self._put("\r" + " " * self._width + "\r")
             self._width = 0
 
     def _write(self, line: str) -> None:
         if self._rewrites:
-            sys.stderr.write("\r" + line.ljust(self._width))
+            self._put("\r" + line.ljust(self._width))
             self._width = len(line)
         else:
-            sys.stderr.write(line + "\n")
-        sys.stderr.flush()
+            self._put(line + "\n")
+
+    @staticmethod
+    def _put(text: str) -> None:
+        with suppress(BrokenPipeError):  # a task goes on when nobody watches it
+            sys.stderr.write(text)
+            sys.stderr.flush()
 
     def _cancel(self, number: int, frame: FrameType | None) -> None:
         if self.cancelled:
@@ -69,7 +81,7 @@ class TerminalProgress:
 
 
 def _share(fraction: float) -> str:
-    return "" if math.isnan(fraction) else f"{100 * fraction:3.0f} %"
+    return "" if math.isnan(fraction) else f"{100 * fraction:.0f} %"
 
 
 def _amount(so_far: object) -> str:

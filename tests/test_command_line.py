@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+import os
 import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +16,7 @@ import freecad_edgescan.__main__ as command_line
 from freecad_edgescan.__main__ import main
 from freecad_edgescan.terminal_progress import TerminalProgress
 
+CHECKOUT = Path(__file__).resolve().parents[1]
 PITCH = 0.5  # mm
 
 
@@ -114,8 +118,8 @@ def test_a_scan_from_start_to_gate_stops_at_the_gate(capsys, roof_file: Path) ->
 
 
 def test_one_bad_click_leaves_the_other_edges_alone(capsys, roof_file: Path) -> None:
-    table = roof_file.parent / "edge.csv"
-    words = ["--at", "500,0,0", "--at", "-1,0.2,0", "-o", str(table)]
+    table = roof_file.parent / "edge-2.csv"  # the click's own number
+    words = ["--at", "500,0,0", "--at", "-1,0.2,0", "-o", str(roof_file.parent / "edge.csv")]
     assert main(["scan", str(roof_file), *words]) == 2
     said = capsys.readouterr()
     assert "edge 1" in said.err
@@ -131,19 +135,59 @@ def test_ctrl_c_keeps_what_was_found_and_leaves_out_the_rest(
                 signal.raise_signal(signal.SIGINT)
             return super().update(fraction, so_far)
 
-    table = roof_file.parent / "edge.csv"
-    words = ["scan", str(roof_file), "--at", "-1,0.2,0", "--at", "3,0,0", "-o", str(table)]
+    output = str(roof_file.parent / "edge.csv")
+    words = ["scan", str(roof_file), "--at", "-1,0.2,0", "--at", "3,0,0", "-o", output]
     monkeypatch.setattr(command_line, "TerminalProgress", Interrupted)
     assert command_line.main(words) == 130
     said = capsys.readouterr()
     assert "CANCELLED" in said.out
     assert said.err.strip() == "edgescan: stopped; what was found so far is kept."
-    points = edge_points(table)
+    points = edge_points(roof_file.parent / "edge-1.csv")
     assert 20 <= len(points) < 40
     assert np.hypot(points[:, 1], points[:, 2]).max() < 0.05
 
 
+def test_files_are_complete_and_nothing_is_said_when_nobody_reads(roof_file: Path) -> None:
+    table = roof_file.parent / "edge.csv"
+    words = ["scan", str(roof_file), "--at", "-1,0.2,0", "-o", str(table)]
+    reading, writing = os.pipe()
+    os.close(reading)
+    try:
+        answer = subprocess.run(
+            [sys.executable, "-m", "freecad_edgescan", *words],
+            stdout=writing, stderr=subprocess.PIPE, cwd=CHECKOUT,
+        )  # fmt: skip
+    finally:
+        os.close(writing)
+    assert (answer.returncode, answer.stderr) == (141, b"")
+    assert len(edge_points(table)) > 10
+
+
+def test_a_sigma_of_some_nanometres_is_not_printed_as_zero(capsys, tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "exact.xyz", roof(noise=1e-6))
+    assert main(["scan", str(tmp_path / "exact.xyz"), "--at", "-1,0.2,0"]) == 0
+    row = capsys.readouterr().out.splitlines()[2].split()
+    assert 0.0 < float(row[6]) < 1e-4
+
+
 # ---------------------------------------------------------------- bad input
+
+
+@pytest.mark.parametrize("option", ["-o", "--picture", "--section"])
+def test_the_scan_itself_is_never_overwritten(capsys, tmp_path: Path, option: str) -> None:
+    scan = tmp_path / "roof.csv"
+    np.savetxt(scan, roof(), delimiter=",")
+    before = scan.read_bytes()
+    (tmp_path / "folder").mkdir()
+    again = tmp_path / "folder" / ".." / "roof.csv"
+    assert "itself" in complaint(capsys, "scan", scan, "--at", "-1,0.2,0", option, again)
+    assert scan.read_bytes() == before
+
+
+def test_a_numbered_table_never_overwrites_the_scan(capsys, tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "roof-2.csv", roof(), delimiter=",")
+    words = ("--at", "-1,0.2,0", "--at", "3,0,0", "-o", tmp_path / "roof.csv")
+    assert "itself" in complaint(capsys, "scan", tmp_path / "roof-2.csv", *words)
 
 
 def test_a_missing_file_is_named(capsys, tmp_path: Path) -> None:

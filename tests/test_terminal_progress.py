@@ -46,7 +46,7 @@ def test_a_log_file_gets_a_line_now_and_then(capsys, clock) -> None:
         for clock.now in range(11):
             progress.update(clock.now / 10, FOUND)
     assert capsys.readouterr().err == (
-        "edge 1 of 2  50 % 12 edge points\nedge 1 of 2 100 % 12 edge points\n"
+        "edge 1 of 2: 50 %, 12 edge points\nedge 1 of 2: 100 %, 12 edge points\n"
     )
 
 
@@ -56,7 +56,7 @@ def test_a_terminal_gets_one_line_that_is_gone_in_the_end(capsys, clock, monkeyp
         for clock.now, so_far in ((1.0, FOUND), (1.1, FOUND), (2.0, "ends")):
             progress.update(math.nan, so_far)
     first, second, cleared, rest = capsys.readouterr().err.split("\r")[1:]
-    assert first == "edge 1 of 2 12 edge points"
-    assert second == "edge 1 of 2 ends".ljust(len(first))
+    assert first == "edge 1 of 2: 12 edge points"
+    assert second == "edge 1 of 2: ends".ljust(len(first))
     assert cleared.strip() == rest == ""
     assert "\n" not in first + second + cleared
