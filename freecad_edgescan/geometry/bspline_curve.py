@@ -27,7 +27,7 @@ _PIECES_PER_SPAN = 16
 _NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(6)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class BSplineCurve:
     """A B-spline curve.
 
@@ -54,6 +54,10 @@ class BSplineCurve:
     degree: int = 3
     periodic: bool = False
     weights: Array | None = None
+
+    def __repr__(self) -> str:
+        kind = "periodic" if self.periodic else "open"
+        return f"BSplineCurve({len(self.poles)} poles, degree {self.degree}, {kind})"
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "poles", np.array(self.poles, dtype=float))

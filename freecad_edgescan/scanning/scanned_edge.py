@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 Vertex = tuple[np.ndarray, np.ndarray]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False, eq=False)
 class ScannedEdge:
     """Edge points in walking order.
 
@@ -71,6 +71,10 @@ class ScannedEdge:
 
     def __len__(self) -> int:
         return len(self.points)
+
+    def __repr__(self) -> str:
+        ends = " to ".join(stop.name for stop in self.stops)
+        return f"ScannedEdge({len(self)} points, {self.length:.6g} mm, {ends})"
 
     @cached_property
     def sigma(self) -> np.ndarray:

@@ -173,3 +173,13 @@ def test_a_scan_line_that_does_not_exist_is_an_index_error(right_angle):
     with pytest.raises(IndexError, match=str(len(lines) + 3)):
         lines[len(lines) + 3]
     assert lines[-1].origin == pytest.approx(lines[len(lines) - 1].origin)
+
+
+def test_an_edge_and_its_curve_are_printed_in_one_line(right_angle):
+    edge = right_angle[1]
+    assert (
+        repr(edge)
+        == f"ScannedEdge({len(edge)} points, {edge.length:.6g} mm, CLOUD_END to CLOUD_END)"
+    )
+    assert repr(edge.curve()).startswith("BSplineCurve(")
+    assert len(repr(edge.curve())) < 60
