@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ..cloud import PointCloud
 from .bridge import document_points_of
 
-__all__ = ["cloud_checksum", "forget_clouds", "point_cloud"]
+__all__ = ["cloud_checksum", "forget_clouds", "point_cloud", "probe_radius_of"]
 
 MOST_CLOUDS = 8
 
@@ -51,6 +51,11 @@ def cloud_checksum(obj: Any) -> str:
     return _up_to_date(obj)[0]
 
 
+def probe_radius_of(obj: Any) -> float:
+    """Probe radius of a cloud object, mm; 0 for Points objects that are not ours, and for None."""
+    return float(getattr(obj, "ProbeRadius", 0.0))
+
+
 def forget_clouds(doc_name: str, name: str | None = None) -> None:
     """Drop the cloud of one object, or of all objects of a document."""
     for key in list(_clouds):
@@ -79,7 +84,7 @@ def _up_to_date(obj: Any) -> tuple[str, PointCloud]:
 
 
 def _probe(obj: Any) -> tuple[float, NDArray[np.float64] | None]:
-    radius = float(getattr(obj, "ProbeRadius", 0.0))
+    radius = probe_radius_of(obj)
     approach = np.array(getattr(obj, "Approach", (0.0, 0.0, 0.0)), dtype=float)
     return radius, approach if np.any(approach) else None
 

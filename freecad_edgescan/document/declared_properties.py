@@ -19,12 +19,18 @@ class Role(Enum):
     """What a property is for."""
 
     INPUT = "input"
+    HIDDEN_INPUT = "hidden input"
     RESULT = "result"
     HIDDEN_RESULT = "hidden result"
 
 
 # FreeCAD's attributes: 1 read-only, 4 hidden, 8 output (a change does not ask for a recompute).
-_ATTRIBUTES = {Role.INPUT: 0, Role.RESULT: 1 + 8, Role.HIDDEN_RESULT: 1 + 4 + 8}
+_ATTRIBUTES = {
+    Role.INPUT: 0,
+    Role.HIDDEN_INPUT: 4,
+    Role.RESULT: 1 + 8,
+    Role.HIDDEN_RESULT: 1 + 4 + 8,
+}
 
 
 @dataclass(frozen=True)

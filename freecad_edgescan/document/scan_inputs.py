@@ -74,8 +74,9 @@ def write_inputs(obj: Any, inputs: ScanInputs) -> None:
     for field, (name, _, _) in CHOICES.items():
         choice = getattr(given, field)
         setattr(obj, name, AUTOMATIC if choice is None else choice.value)
-    obj.OwnProbeRadius = given.probe_radius is not None
-    obj.ProbeRadius = given.probe_radius or 0.0
+    if given.probe_radius is not None:
+        obj.OwnProbeRadius = True
+        obj.ProbeRadius = given.probe_radius
     if given.approach is not None:
         obj.Approach = _vector(given.approach)
 
@@ -131,7 +132,9 @@ def input_hash(obj: Any) -> str:
     names = ["At", "Across", "Along", "UseGate", "Gate", "GateAcross", "Method", "MinAngle"]
     names += [name for name, _ in LENGTHS.values()]
     names += [name for name, _, _ in CHOICES.values()]
-    names += ["Degree", "OwnProbeRadius", "ProbeRadius", "Approach"]
+    names += ["Degree", "OwnProbeRadius", "Approach"]
+    if obj.OwnProbeRadius:  # else it repeats that of the cloud, which is in the checksum
+        names.append("ProbeRadius")
     for name in names:
         value = getattr(obj, name)
         value = (

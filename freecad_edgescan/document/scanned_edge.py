@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start, scan_edge
 from .bridge import origin_of
-from .cloud_cache import point_cloud
+from .cloud_cache import point_cloud, probe_radius_of
 from .declared_properties import declare
 from .native_edge import edge_shape
 from .scan_inputs import checked_inputs, input_hash, read_inputs, write_inputs
@@ -121,11 +121,25 @@ class ScannedEdgeProxy:
         declare(obj, PROPERTIES)
         obj.SchemaVersion = SCHEMA_VERSION
 
+    def onChanged(self, obj: Any, name: str) -> None:
+        """Keep ProbeRadius true: the cloud's, not to be edited, or the edge's own.
+
+        A value other than the cloud's makes it the edge's own.
+        """
+        # FreeCAD calls this before all properties exist, too, and while it undoes.
+        if "Restore" in obj.State or obj.Document.Transacting or not hasattr(obj, "Approach"):
+            return
+        if name == "ProbeRadius" and obj.ProbeRadius.Value != probe_radius_of(obj.Cloud):
+            obj.OwnProbeRadius = True
+        elif name in ("Cloud", "OwnProbeRadius"):
+            _show_probe_radius(obj)
+
     def execute(self, obj: Any) -> None:
         """Scan when an input has changed since the last scan.
 
         A scan that fails leaves the edge found before, and its sentence is in ``Message``.
         """
+        _show_probe_radius(obj)
         try:
             if obj.InputHash == input_hash(obj) and not obj.Shape.isNull():
                 return
@@ -140,6 +154,7 @@ class ScannedEdgeProxy:
         declare(obj, PROPERTIES)
         while obj.SchemaVersion < SCHEMA_VERSION:
             obj.SchemaVersion += 1
+        obj.setEditorMode("ProbeRadius", 0 if obj.OwnProbeRadius else 1)
 
     def dumps(self) -> None:
         """Nothing to write into the file."""
@@ -151,6 +166,13 @@ class ScannedEdgeProxy:
     # FreeCAD before 0.21.2 asks for these instead.
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def _show_probe_radius(obj: Any) -> None:
+    """Show the cloud's probe radius, read-only, unless the edge has its own."""
+    obj.setEditorMode("ProbeRadius", 0 if obj.OwnProbeRadius else 1)
+    if not obj.OwnProbeRadius and obj.ProbeRadius.Value != probe_radius_of(obj.Cloud):
+        obj.ProbeRadius = probe_radius_of(obj.Cloud)
 
 
 def _write_used(obj: Any, edge: ScannedEdge) -> None:

@@ -8,7 +8,7 @@ from enum import Enum
 from ..scanning import Compensation, Pattern, Steering, Tangent
 from .declared_properties import Declared, Role
 
-__all__ = ["AUTOMATIC", "CHOICES", "LENGTHS", "METHODS", "PROPERTIES", "SCHEMA_VERSION"]
+__all__ = ["AUTOMATIC", "CHOICES", "LENGTHS", "METHODS", "PROPERTIES", "SCHEMA_VERSION", "UNBUILT"]
 
 SCHEMA_VERSION = 1
 AUTOMATIC = "automatic"
@@ -31,6 +31,23 @@ CHOICES: dict[str, tuple[str, str, type[Enum]]] = {
     "steering": ("Steering", "How a probed scan places its next scan line", Steering),
     "compensation": ("Compensation", "How a probed scan takes off the probe radius", Compensation),
 }
+
+# Parameters of the probed scan only, which is not built yet: kept in files, not shown.
+UNBUILT = {
+    "LinePitch",
+    "Tolerance",
+    "PrehitDistance",
+    "SearchDistance",
+    "CloudPitch",
+    "Degree",
+    *(name for name, _, _ in CHOICES.values()),
+}
+
+
+def _parameter(kind: str, name: str, tooltip: str, choices: tuple[str, ...] = ()) -> Declared:
+    role = Role.HIDDEN_INPUT if name in UNBUILT else Role.INPUT
+    return Declared(kind, name, "Scan parameters", tooltip, role, choices)
+
 
 _WHERE = (
     Declared("LinkGlobal", "Cloud", "Cloud", "The point cloud, a Points object, that is scanned"),
@@ -69,43 +86,37 @@ _WHERE = (
 
 _PARAMETERS = (
     *(
-        Declared("Length", name, "Parameters", f"{tooltip}; 0: automatic")
+        # Not "Length", which turns a negative value into 0 without a word.
+        _parameter("Distance", name, f"{tooltip}; 0: automatic")
         for name, tooltip in LENGTHS.values()
     ),
-    Declared("Integer", "Degree", "Parameters", "Degree of a line section, 1 to 3; 0: automatic"),
+    _parameter("Integer", "Degree", "Degree of a line section, 1 to 3; 0: automatic"),
     *(
-        Declared(
-            "Enumeration",
-            name,
-            "Parameters",
-            tooltip,
-            choices=(AUTOMATIC, *(str(choice.value) for choice in enum)),
+        _parameter(
+            "Enumeration", name, tooltip, (AUTOMATIC, *(str(choice.value) for choice in enum))
         )
         for name, tooltip, enum in CHOICES.values()
     ),
-    Declared(
+    _parameter(
         "Bool",
         "OwnProbeRadius",
-        "Parameters",
-        "Whether ProbeRadius counts here; else that of the cloud does",
+        "Whether this edge has a ProbeRadius of its own; else that of the cloud counts",
     ),
-    Declared(
-        "Length",
+    _parameter(
+        "Distance",
         "ProbeRadius",
-        "Parameters",
-        "Radius of the ball whose centres the cloud holds; counts with OwnProbeRadius",
+        "Radius of the ball whose centres the cloud holds. Without OwnProbeRadius it is the "
+        "cloud's and cannot be edited here: set it at the cloud, or set OwnProbeRadius",
     ),
-    Declared(
-        "Vector",
-        "Approach",
-        "Parameters",
-        "Direction the probe came along; (0, 0, 0): that of the cloud",
+    _parameter(
+        "Vector", "Approach", "Direction the probe came along; (0, 0, 0): that of the cloud"
     ),
 )
 
 
 def _used(kind: str, name: str) -> Declared:
-    return Declared(kind, f"{name}Used", "Automatic", f"{name} that was used", Role.RESULT)
+    role = Role.HIDDEN_RESULT if name in UNBUILT else Role.RESULT
+    return Declared(kind, f"{name}Used", "Values used", f"{name} that was used", role)
 
 
 _USED = (
@@ -115,7 +126,7 @@ _USED = (
     _used("Length", "ProbeRadius"),
     _used("Vector", "Approach"),
     Declared(
-        "StringList", "Reasons", "Automatic", "Why each automatic value was chosen", Role.RESULT
+        "StringList", "Reasons", "Values used", "Why each automatic value was chosen", Role.RESULT
     ),
 )
 
@@ -174,4 +185,4 @@ _RECORD = (
     Declared("String", "InputHash", "Record", "Inputs the result belongs to", Role.HIDDEN_RESULT),
 )
 
-PROPERTIES = (*_WHERE, *_PARAMETERS, *_USED, *_RESULTS, *_RECORD)
+PROPERTIES = (*_WHERE, *_RESULTS, *_PARAMETERS, *_USED, *_RECORD)

@@ -149,6 +149,60 @@ def test_a_result_computed_elsewhere_is_not_computed_twice(
     assert made.PointCount == len(found.points)
 
 
+def test_the_probe_radius_is_the_clouds_and_read_only_until_the_edge_has_its_own(
+    doc: Any, cloud: Any, edge: Any
+) -> None:
+    cloud.ProbeRadius = 0.1
+    cloud.Approach = FreeCAD.Vector(0, 0, -1)
+    doc.recompute()
+    assert edge.ProbeRadius.Value == edge.ProbeRadiusUsed.Value == 0.1
+    assert edge.getEditorMode("ProbeRadius") == ["ReadOnly"]
+    edge.ProbeRadius = 0.2
+    assert edge.OwnProbeRadius
+    assert edge.getEditorMode("ProbeRadius") == []
+    doc.recompute()
+    assert edge.ProbeRadiusUsed.Value == 0.2
+    edge.OwnProbeRadius = False
+    doc.recompute()
+    assert edge.ProbeRadius.Value == edge.ProbeRadiusUsed.Value == 0.1
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "said"),
+    [
+        ("Amplitude", -5.0, "The amplitude is -5.0; give a positive length"),
+        ("EdgePitch", -1.0, "The edge pitch is -1.0; give a positive length"),
+        ("ChordHeight", -0.1, "The chord height is -0.1; give a positive length"),
+        ("ProbeRadius", -1.0, "The probe radius is -1.0; give 0 or a positive length"),
+        ("MinAngle", -20.0, "The least angle is -0.349"),
+    ],
+)
+def test_a_value_that_cannot_work_is_refused_and_not_taken_as_automatic(
+    doc: Any, edge: Any, name: str, value: float, said: str
+) -> None:
+    setattr(edge, name, value)
+    doc.recompute()
+    assert not is_valid(edge)
+    assert edge.Message.startswith(said)
+
+
+def test_a_negative_probe_radius_of_the_cloud_is_refused(doc: Any, cloud: Any, edge: Any) -> None:
+    cloud.ProbeRadius = -1.0
+    doc.recompute()
+    assert not is_valid(edge)
+    assert "probe radius" in edge.Message
+
+
+def test_what_only_a_probed_scan_uses_is_not_shown(edge: Any) -> None:
+    from freecad_edgescan.document.scanned_edge_properties import UNBUILT
+
+    for name in UNBUILT:
+        assert "Hidden" in edge.getEditorMode(name) or "Hidden" in edge.getPropertyStatus(name)
+        used = f"{name}Used"
+        assert "Hidden" in edge.getEditorMode(used) or "Hidden" in edge.getPropertyStatus(used)
+    assert "Hidden" not in edge.getPropertyStatus("Amplitude")
+
+
 def test_start_gate_and_parameters_come_back_from_the_properties(doc: Any, cloud: Any) -> None:
     from freecad_edgescan.document.scan_inputs import read_inputs
 
