@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from os import PathLike
 from pathlib import Path
@@ -22,7 +23,8 @@ Array = NDArray[np.float64]
 
 PROPERTIES = (
     (
-        "App::PropertyLength",
+        # Not a Length, which turns a negative value into 0 without a word.
+        "App::PropertyDistance",
         "ProbeRadius",
         "Radius of the ball whose centres the cloud holds; 0: the points lie on the surface",
         False,
@@ -39,6 +41,12 @@ PROPERTIES = (
         "Origin",
         "Add this to the document's coordinates to get those of the file; a cloud far from the "
         "origin would lose its precision otherwise",
+        True,
+    ),
+    (
+        "App::PropertyInteger",
+        "DroppedRows",
+        "Points of the source that were left out because they hold nan or inf",
         True,
     ),
 )
@@ -64,9 +72,9 @@ def make_cloud(
 
     Returns
     -------
-    A plain Points::Feature with the properties ProbeRadius, Approach, SourceFile and Origin. The
-    document's coordinates are those of the source less Origin, which is zero unless the cloud
-    lies far away for its size.
+    A plain Points::Feature with the properties ProbeRadius, Approach, SourceFile, Origin and
+    DroppedRows. The document's coordinates are those of the source less Origin, which is zero
+    unless the cloud lies far away for its size.
 
     Raises
     ------
@@ -75,10 +83,12 @@ def make_cloud(
     if doc is None:
         raise ValueError("There is no document for the cloud; make one with FreeCAD.newDocument().")
     path = Path(source) if isinstance(source, str | PathLike) else None
-    if path is not None:
-        numbers = _read(path)
-    else:
-        numbers = source if isinstance(source, PointCloud) else PointCloud(np.asarray(source))
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", message=".*were left out")  # said below, in plain words
+        if path is not None:
+            numbers = _read(path)
+        else:
+            numbers = source if isinstance(source, PointCloud) else PointCloud(np.asarray(source))
     if probe_radius is None:
         probe_radius = numbers.probe_radius
     if approach is None:
@@ -95,6 +105,12 @@ def make_cloud(
         obj.Approach = FreeCAD.Vector(*checked.approach)
     obj.SourceFile = "" if path is None else str(path.resolve())
     obj.Origin = FreeCAD.Vector(*numbers.origin_hint)
+    obj.DroppedRows = numbers.dropped
+    if numbers.dropped:
+        FreeCAD.Console.PrintWarning(
+            f"{obj.Label}: {numbers.dropped} of {numbers.dropped + len(numbers)} points were left "
+            "out, because they hold nan or inf.\n"
+        )
     return obj
 
 

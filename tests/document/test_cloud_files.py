@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -59,3 +60,19 @@ def test_a_negative_probe_radius_leaves_no_object(doc: Any) -> None:
     with pytest.raises(ValueError, match="-1"):
         document.make_cloud(doc, np.zeros((30, 3)), probe_radius=-1.0)
     assert not doc.Objects
+
+
+def test_rows_left_out_are_counted_in_the_cloud_without_a_python_warning(
+    doc: Any, tmp_path: Path
+) -> None:
+    rows = np.random.default_rng(1).random((50, 3))
+    rows[[3, 7]] = np.nan
+    np.savetxt(tmp_path / "part.xyz", rows)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        cloud = document.make_cloud(doc, tmp_path / "part.xyz")
+    assert cloud.DroppedRows == 2
+    assert cloud.Points.CountPoints == 48
+    assert cloud.getEditorMode("DroppedRows") == ["ReadOnly"] or "ReadOnly" in (
+        cloud.getPropertyStatus("DroppedRows")
+    )
