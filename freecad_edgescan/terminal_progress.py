@@ -12,7 +12,7 @@ from time import monotonic
 from types import FrameType
 from typing import Any
 
-__all__ = ["TerminalProgress", "tell"]
+__all__ = ["TerminalProgress", "exit_code", "tell"]
 
 
 def tell(sentence: str) -> None:
@@ -78,6 +78,14 @@ class TerminalProgress:
         if self.cancelled:
             raise KeyboardInterrupt
         self.cancelled = True
+
+
+def exit_code(progress: TerminalProgress) -> int:
+    """0, or what a shell expects after Ctrl-C."""
+    if not progress.cancelled:
+        return 0
+    tell("stopped; what was found so far is kept.")
+    return 130
 
 
 def _share(fraction: float) -> str:

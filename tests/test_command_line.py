@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import freecad_edgescan.__main__ as command_line
+import freecad_edgescan.scan_command as scan_command
 from freecad_edgescan.__main__ import main
 from freecad_edgescan.terminal_progress import TerminalProgress
 
@@ -137,8 +137,8 @@ def test_ctrl_c_keeps_what_was_found_and_leaves_out_the_rest(
 
     output = str(roof_file.parent / "edge.csv")
     words = ["scan", str(roof_file), "--at", "-1,0.2,0", "--at", "3,0,0", "-o", output]
-    monkeypatch.setattr(command_line, "TerminalProgress", Interrupted)
-    assert command_line.main(words) == 130
+    monkeypatch.setattr(scan_command, "TerminalProgress", Interrupted)
+    assert main(words) == 130
     said = capsys.readouterr()
     assert "CANCELLED" in said.out
     assert said.err.strip() == "edgescan: stopped; what was found so far is kept."
@@ -161,6 +161,32 @@ def test_files_are_complete_and_nothing_is_said_when_nobody_reads(roof_file: Pat
         os.close(writing)
     assert (answer.returncode, answer.stderr) == (141, b"")
     assert len(edge_points(table)) > 10
+
+
+def test_info_draws_the_cloud_from_three_sides(capsys, roof_file: Path) -> None:
+    pytest.importorskip("matplotlib")
+    file = roof_file.parent / "roof.png"
+    assert main(["info", str(roof_file), "--picture", str(file)]) == 0
+    assert file.read_bytes().startswith(b"\x89PNG")
+    assert f"Wrote {file}" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("unit", "length"), [("m", 1000.0), ("inch", 25.4)])
+def test_a_cloud_in_another_unit_is_read_in_mm(
+    capsys, tmp_path: Path, unit: str, length: float
+) -> None:
+    file = tmp_path / "roof.xyz"
+    np.savetxt(file, roof() / length)
+    assert main(["scan", str(file), "--at", "-1,0.2,0", "--unit", unit]) == 0
+    said = capsys.readouterr()
+    assert float(said.out.splitlines()[2].split()[2]) == pytest.approx(40, abs=2 * PITCH)
+    assert said.err == ""
+
+
+def test_a_cloud_that_looks_like_metres_is_remarked_on(capsys, tmp_path: Path) -> None:
+    np.savetxt(tmp_path / "roof.xyz", roof() / 1000)
+    assert main(["info", str(tmp_path / "roof.xyz")]) == 0
+    assert "--unit m" in capsys.readouterr().err
 
 
 def test_a_sigma_of_some_nanometres_is_not_printed_as_zero(capsys, tmp_path: Path) -> None:
@@ -311,3 +337,34 @@ def test_scan_draws_a_picture_and_the_section_that_was_clicked(capsys, roof_file
     words += ["--view", "0,-1,1", "--section", str(folder / "section.png")]
     assert main(words) == 0
     assert (folder / "edge.png").is_file() and (folder / "section.png").is_file()
+
+
+def test_a_second_file_and_an_unknown_option_are_named(capsys) -> None:
+    assert "info takes one file, but was also given 'b.ply'" in complaint(
+        capsys, "info", "a.ply", "b.ply"
+    )
+    assert "info has no option --frob" in complaint(capsys, "info", "a.ply", "--frob")
+
+
+def test_numbers_with_blanks_between_them_are_told_to_take_commas(capsys) -> None:
+    assert "commas and no blanks" in complaint(capsys, "scan", "a.ply", "--at", "20", "0", "0")
+
+
+@pytest.mark.parametrize(
+    ("words", "clue"),
+    [
+        (("scan", "a.ply", "--amplitude", "2,5"), "'2,5' is not a number"),
+        (("bench", "--points", "many"), "'many' is not a whole number"),
+    ],
+)
+def test_a_word_that_is_no_number_is_quoted(capsys, words: tuple[str, ...], clue: str) -> None:
+    assert clue in complaint(capsys, *words)
+
+
+def test_a_scan_without_a_place_is_told_how_to_find_one(capsys, roof_file: Path) -> None:
+    assert "info FILE --picture" in complaint(capsys, "scan", roof_file)
+
+
+def test_a_demonstration_into_a_file_is_told_to_take_a_folder(capsys, roof_file: Path) -> None:
+    pytest.importorskip("FreeCAD")
+    assert "folder" in complaint(capsys, "demo", "-o", roof_file)

@@ -17,12 +17,13 @@ from .point_cloud import PointCloud
 from .text_format import looks_like_text_cloud, read_text
 from .text_rows import Listener
 
-__all__ = ["READABLE_ENDINGS", "TEXT_ENDINGS", "read_cloud"]
+__all__ = ["READABLE_ENDINGS", "TEXT_ENDINGS", "UNITS", "read_cloud"]
 
 Array = NDArray[np.float64]
 Reader = Callable[[Path, "Listener | None"], Array]
 
 TEXT_ENDINGS = (".xyz", ".txt", ".asc", ".csv")
+UNITS = {"mm": 1.0, "m": 1000.0, "inch": 25.4}  # mm
 READABLE_ENDINGS = (*TEXT_ENDINGS, ".ply", ".pcd")
 
 
@@ -32,6 +33,7 @@ def read_cloud(
     approach: ArrayLike | None = None,
     region: ArrayLike | None = None,
     progress: Listener | None = None,
+    unit: str = "mm",
 ) -> PointCloud:
     """Read a cloud from a .xyz, .txt, .asc, .csv, .ply or .pcd file.
 
@@ -43,6 +45,7 @@ def read_cloud(
     region : ((xmin, ymin, zmin), (xmax, ymax, zmax)), mm: only points in this box are kept
     progress : told the share read and the newest points, at last the cloud; where it answers
         False, the points read so far are the cloud
+    unit : "mm", "m" or "inch", of the numbers in the file; all else is mm
 
     Returns
     -------
@@ -51,9 +54,11 @@ def read_cloud(
     Raises
     ------
     ValueError: a file that is missing, empty, damaged or of another format, text where numbers
-        should be (with the line number), or a region without points.
+        should be (with the line number), an unknown unit, or a region without points.
     """
     file = Path(path)
+    if unit not in UNITS:
+        raise ValueError(f"The unit {unit!r} is not known. Give one of {', '.join(UNITS)}.")
     box = _box(region)
     try:
         points = _reader(file)(file, progress)
@@ -63,6 +68,8 @@ def read_cloud(
         ) from error
     if len(points) == 0:
         raise ValueError(f"{file.name} holds no points. Check how the file was written.")
+    if unit != "mm":
+        points = points * UNITS[unit]
     if box is not None:
         points = _within(points, box, file.name)
     cloud = PointCloud(points, probe_radius, approach)

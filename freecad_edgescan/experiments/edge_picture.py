@@ -86,7 +86,7 @@ def draw_on(
         axes.plot(right, up, color=colour, lw=1, alpha=0.35)
         name = f"edge {number + 1}" if names is None else names[number]
         axes.plot(np.where(shown, right, np.nan), up, color=colour, lw=2.2, label=name)
-    axes.set(xlabel="mm", ylabel="mm")
+    axes.set(xlabel="to the right in this view, mm", ylabel="upwards in this view, mm")
 
 
 def _columns(figure: Any, widths: Sequence[float]) -> list[Any]:

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What can be written on the command line: sub-commands, their options, and help."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NoReturn
+
+from freecad_edgescan.file_unit import UNITS
+
+__all__ = ["read_options"]
+
+Vector = tuple[float, float, float]
+
+SCAN_EXAMPLES = """examples:
+  edgescan scan part.ply --at 12.5,-3,40 -o edge.step
+  edgescan scan part.xyz --at 1,2,3 --at 4,5,6 -o edges.csv -o edges.step --picture edges.png
+  edgescan scan probed.asc --probe-radius 1 --approach 0,0,-1 --at 10,0,5 --gate 90,0,5 -o rim.step
+  edgescan scan part.ply --start 0,-5,0 --across 0,1,0 --along 1,0,0 \\
+                         --gate 80,-5,0 --gate-across 0,1,0 --amplitude 10
+"""
+
+ACCURACY_TEXT = """Simulates a scan of each part, clicks every sharp edge at its middle, and
+compares what is found with the part's own edges.
+  length   of the true edge           room    smallest distance to another edge
+  traced   share of it found within one pitch
+  rms max  distance of the edge points from it
+  sigma    mean standard deviation that the scan states itself
+"""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Says what is wrong in one sentence instead of printing the whole usage."""
+
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"{self.prog}: {message}; {self.prog} --help tells more.\n")
+
+
+def read_options(words: Sequence[str]) -> argparse.Namespace:
+    """What the words of a command line ask for; a wrong one is a sentence and exit code 2."""
+    parser = _parser()
+    options, unknown = parser.parse_known_args(_bind_negative_values(words))
+    if unknown:
+        word = unknown[0]
+        if word.startswith("-"):
+            parser.error(f"{options.command} has no option {word}")
+        if hasattr(options, "file"):
+            parser.error(f"{options.command} takes one file, but was also given {word!r}")
+        parser.error(f"{options.command} does not take {word!r}")
+    return options
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="edgescan", description="True sharp edges from scanned point clouds.")
+    commands = parser.add_subparsers(required=True, metavar="COMMAND", dest="command")
+
+    scan = _add_command(commands, "scan", "scan edges of a cloud", SCAN_EXAMPLES)
+    _add_file(scan)
+    scan.add_argument(
+        "--at", type=_vector, action="append", default=[], metavar="X,Y,Z",
+        help="a point near an edge, mm; repeat for more edges",
+    )  # fmt: skip
+    scan.add_argument("--start", type=_vector, metavar="X,Y,Z", help="first point, on one side")
+    scan.add_argument("--across", type=_vector, metavar="DX,DY,DZ", help="from it over the edge")
+    scan.add_argument("--along", type=_vector, metavar="DX,DY,DZ", help="from it along the edge")
+    scan.add_argument(
+        "--gate", type=_vector, metavar="X,Y,Z",
+        help="walk towards this point and end there; with --gate-across the gate's first end",
+    )  # fmt: skip
+    scan.add_argument(
+        "--gate-across", type=_vector, metavar="DX,DY,DZ", help="from the gate over the edge"
+    )
+    scan.add_argument("--amplitude", type=_number, metavar="MM", help="both sides together")
+    scan.add_argument("--edge-pitch", type=_number, metavar="MM", help="distance of edge points")
+    scan.add_argument(
+        "--probe-radius", type=_number, default=0.0, metavar="MM",
+        help="the cloud holds centres of a ball of this radius",
+    )  # fmt: skip
+    scan.add_argument(
+        "--approach", type=_vector, metavar="DX,DY,DZ", help="direction the probe came along"
+    )
+    scan.add_argument(
+        "-o", "--output", type=Path, action="append", default=[], metavar="FILE",
+        help=".step for CAD (needs FreeCAD), .csv for edge points with sigma; repeatable. Several "
+        "--at with one .csv write name-1.csv, name-2.csv and so on, numbered by --at",
+    )  # fmt: skip
+    scan.add_argument("--picture", type=Path, metavar="FILE.png", help="cloud and edges, drawn")
+    scan.add_argument(
+        "--view", type=_vector, metavar="DX,DY,DZ",
+        help="direction from the part to the viewer of the picture (default: the edges' air side)",
+    )  # fmt: skip
+    scan.add_argument(
+        "--section", type=Path, metavar="FILE.png",
+        help="the section of the first edge where it was clicked, drawn",
+    )  # fmt: skip
+
+    info = _add_command(commands, "info", "what is in a cloud file")
+    _add_file(info)
+    info.add_argument(
+        "--picture", type=Path, metavar="FILE.png",
+        help="the cloud from three sides with its coordinates, to read places for scan --at from",
+    )  # fmt: skip
+
+    bench = _add_command(commands, "bench", "how fast this machine is")
+    bench.add_argument(
+        "--points", type=_whole_number, default=1_000_000, metavar="N", help="cloud size"
+    )
+
+    accuracy = _add_command(
+        commands, "accuracy", "how exactly edges of CAD parts are found", ACCURACY_TEXT
+    )
+    accuracy.add_argument(
+        "--parts", nargs="+", type=Path, default=[], metavar="FILE",
+        help=".step .iges .brep; default: a block with a blind bore",
+    )  # fmt: skip
+    for option, value, text in (
+        ("--pitch", 0.6, "of the simulated scan"),
+        ("--noise", 0.12, "of the simulated scan, standard deviation along the normal"),
+        ("--probe-radius", 0.0, "simulate centres of a ball of this radius"),
+    ):
+        accuracy.add_argument(
+            option, type=_number, default=value, metavar="MM", help=f"{text} (default: {value:g})"
+        )
+    accuracy.add_argument(
+        "--seed", type=_whole_number, default=0, metavar="N", help="of the random numbers"
+    )
+
+    demo = _add_command(commands, "demo", "scan the edges of a simulated core box, sweep and loft")
+    demo.add_argument(
+        "-o", "--output", type=Path, default=Path("demo"), metavar="FOLDER",
+        help="where the document, STEP, table and pictures go (default: demo)",
+    )  # fmt: skip
+    return parser
+
+
+def _add_command(
+    commands: Any, name: str, summary: str, epilog: str | None = None
+) -> argparse.ArgumentParser:
+    parser: argparse.ArgumentParser = commands.add_parser(
+        name,
+        help=summary,
+        description=summary[0].upper() + summary[1:] + ". Lengths are mm.",
+        epilog=epilog,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--debug", action="store_true", help="show where an error came from")
+    return parser
+
+
+def _add_file(command: argparse.ArgumentParser) -> None:
+    command.add_argument("file", help=".xyz .txt .asc .csv .ply .pcd")
+    command.add_argument("--unit", choices=UNITS, help="of the file (default: mm); all else is mm")
+
+
+def _bind_negative_values(words: Sequence[str]) -> list[str]:
+    """Write ``--at -1,2,3`` as ``--at=-1,2,3``, which argparse would take for an option."""
+    bound: list[str] = []
+    for word in words:
+        if bound and re.match(r"-\.?\d", word) and re.fullmatch(r"--[a-z-]+", bound[-1]):
+            bound[-1] += f"={word}"
+        else:
+            bound.append(word)
+    return bound
+
+
+def _vector(text: str) -> Vector:
+    try:
+        x, y, z = (float(number) for number in re.split(r"[,;\s]+", text.strip()))
+    except ValueError:
+        words = f"{text!r} is not three numbers with commas and no blanks, such as 1.5,-2,30"
+        raise argparse.ArgumentTypeError(words) from None
+    return x, y, z
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        words = f"{text!r} is not a number such as 2.5"
+        raise argparse.ArgumentTypeError(words) from None
+
+
+def _whole_number(text: str) -> int:
+    try:
+        return int(text)
+    except ValueError:
+        words = f"{text!r} is not a whole number such as 1000"
+        raise argparse.ArgumentTypeError(words) from None
