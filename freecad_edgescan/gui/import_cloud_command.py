@@ -12,6 +12,7 @@ from .icons import icon_path
 from .message import problems_shown
 from .qt import QtCore, QtWidgets
 from .recorded_step import run_as_one_step
+from .shown import fit_view, select_only
 
 __all__ = ["ImportCloudCommand", "import_clouds"]
 
@@ -84,7 +85,6 @@ def import_clouds(paths: list[str]) -> list[Any]:
     finally:
         progress.stop()
         QtWidgets.QApplication.restoreOverrideCursor()
-    view = FreeCADGui.getDocument(doc.Name).ActiveView
-    if view is not None and hasattr(view, "fitAll"):
-        view.fitAll()
+    select_only(made)
+    fit_view(doc)
     return made

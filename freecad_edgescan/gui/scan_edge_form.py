@@ -67,6 +67,10 @@ class ScanEdgeForm(QtWidgets.QWidget):
         """What the user is told at the top."""
         return str(self._sentence.text())
 
+    def value(self, name: str) -> str:
+        """What the table says in a row."""
+        return str(self._values[name].text())
+
     def say(self, sentence: str) -> None:
         """Tell the user what to do now, or what went wrong."""
         self._sentence.setText(sentence)
@@ -87,9 +91,7 @@ class ScanEdgeForm(QtWidgets.QWidget):
         self._result.setVisible(edge is not None)
         if edge is None:
             return
-        steps = np.diff(edge.points, axis=0)
-        length = float(np.linalg.norm(steps, axis=1).sum())
-        self._values["Length"].setText(_length(length))
+        self._values["Length"].setText(_length(edge.length))
         self._values["Mean sigma"].setText(f"{1000 * float(np.nanmean(edge.sigma)):.1f} µm")
         self._values["Mean angle"].setText(f"{np.degrees(float(np.nanmean(edge.angle))):.1f}°")
         self._message.setText(edge.message)

@@ -25,6 +25,7 @@ from .picking import Array, front_hit, nearest_to_ray
 from .qt import QtCore, QtWidgets, as_int
 from .recorded_step import as_literal, object_line, run_as_one_step
 from .scan_edge_form import ScanEdgeForm
+from .shown import select_only
 from .view_clicks import ViewClicks
 from .view_ray import view_ray
 
@@ -104,11 +105,12 @@ class ScanEdgePanel(QtCore.QObject):
             f"at={as_literal(self._at)})"
         )
         try:
-            run_as_one_step(self._doc, "Scan edge", [line], self._hand_over)
+            made = run_as_one_step(self._doc, "Scan edge", [line], self._hand_over)
         except ValueError as error:
             self.form.say(str(error))
             return False
         self.close()
+        select_only(made)
         return True
 
     def reject(self) -> bool:

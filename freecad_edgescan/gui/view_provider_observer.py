@@ -56,6 +56,19 @@ def _dress_all(doc: Any) -> None:
         for kind in ("Part::Feature", "Points::Feature"):
             for item in doc.findObjects(kind):
                 item.ViewObject.show()
+        _fit_soon(doc.Name)
+
+
+def _fit_soon(name: str) -> None:
+    """Fit the view of a document when it is open; FreeCAD makes it after the objects."""
+    from .qt import QtCore
+    from .shown import fit_view
+
+    def fit() -> None:
+        if name in FreeCAD.listDocuments():
+            fit_view(FreeCAD.getDocument(name))
+
+    QtCore.QTimer.singleShot(0, fit)
 
 
 def _is_bare(item: Any) -> bool:

@@ -51,8 +51,23 @@ def test_import_makes_a_cloud_of_each_file_in_one_undo_step(
     clouds = window.doc.findObjects("Points::Feature")[1:]
     assert sorted(cloud.Points.CountPoints for cloud in clouds) == [50, 100]
     assert window.doc.UndoCount == undo_steps + 1
+    assert Gui.Selection.getSelection() == clouds
     window.doc.undo()
     assert len(window.doc.findObjects("Points::Feature")) == 1
+
+
+def test_an_imported_cloud_is_seen_as_a_whole(
+    window: Any, tmp_path: Path, answer_file_dialog: Any
+) -> None:
+    np.savetxt(tmp_path / "far.xyz", 50 + 300 * np.random.default_rng(1).random((50, 3)))
+    answer_file_dialog(tmp_path / "far.xyz")
+    Gui.runCommand("EdgeScan_ImportCloud")
+    window.settle(0.3)
+    width, height = window.view.getSize()
+    for corner in ((50.0, 50.0, 50.0), (350.0, 350.0, 350.0)):
+        x, y = window.pixel_of(corner)
+        assert 0 <= x < width
+        assert 0 <= y < height
 
 
 def test_import_without_a_document_makes_one(

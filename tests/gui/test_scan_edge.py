@@ -51,6 +51,26 @@ def test_one_click_and_ok_make_one_edge_on_the_ridge(window: Any, camera: str) -
     assert np.abs(points[:, 2] - 5.0).max() < 0.05
     assert np.ptp(points[:, 1]) > 25.0
     assert window.doc.UndoCount == undo_steps + 1
+    assert Gui.Selection.getSelection() == [edge]
+
+
+def test_the_length_of_a_closed_edge_counts_the_piece_that_closes_it(workbench: Any) -> None:
+    from freecad_edgescan.gui.scan_edge_form import ScanEdgeForm
+    from freecad_edgescan.scanning import ScannedEdge
+
+    points = np.array([[0.0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]])
+    square = object.__new__(ScannedEdge)
+    for name, value in {
+        "points": points,
+        "closed": True,
+        "angle": np.ones(4),
+        "covariance": np.tile(np.eye(2), (4, 1, 1)),
+        "message": "A square.",
+    }.items():
+        object.__setattr__(square, name, value)
+    form = ScanEdgeForm()
+    form.show_edge(square)
+    assert float(form.value("Length").split()[0].replace(",", ".")) == pytest.approx(40.0)
 
 
 def test_ok_does_not_scan_a_second_time(window: Any, monkeypatch: pytest.MonkeyPatch) -> None:

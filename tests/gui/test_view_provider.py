@@ -6,6 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 FreeCAD = pytest.importorskip("FreeCAD")
@@ -46,7 +47,9 @@ def test_an_edge_is_dressed_after_save_and_reopen_and_keeps_its_colour(
     FreeCAD.closeDocument(doc.Name)
 
 
-def test_an_edge_from_a_file_written_without_a_window_is_dressed(edge: Any, tmp_path: Path) -> None:
+def test_an_edge_from_a_file_written_without_a_window_is_dressed_and_seen(
+    window: Any, edge: Any, tmp_path: Path
+) -> None:
     import zipfile
 
     name, path = edge.Name, tmp_path / "roof.FCStd"
@@ -62,6 +65,14 @@ def test_an_edge_from_a_file_written_without_a_window_is_dressed(edge: Any, tmp_
     assert icon_of(again) == "EdgeScan_ScannedEdge.svg"
     assert again.ViewObject.Visibility
     assert again.Cloud.ViewObject.Visibility
+    window.view = Gui.getDocument(doc.Name).ActiveView
+    window.settle(0.3)
+    width, height = window.view.getSize()
+    x, y = window.pixel_of((0.0, 15.0, 5.0))
+    left, low = window.pixel_of((0.0, -15.0, 5.0))
+    assert np.hypot(x - left, y - low) > 0.2 * min(width, height)
+    assert 0 <= min(x, left) <= max(x, left) < width
+    assert 0 <= min(y, low) <= max(y, low) < height
     FreeCAD.closeDocument(doc.Name)
 
 
