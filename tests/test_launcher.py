@@ -234,3 +234,18 @@ def test_testing_a_file_that_is_not_there_is_refused() -> None:
     answer = run("test", "tests/cloud/test_nothing.py")
     assert answer.returncode == 2
     assert "tests/cloud/test_nothing.py" in answer.stderr
+
+
+def test_an_option_that_pytest_does_not_know_is_named_before_anything_runs() -> None:
+    if not list(LAUNCHER.parent.glob(".venv-*/installed")):
+        pytest.skip("the development tools are not installed")
+    answer = run("test", "tests/test_manifest.py", "--frob")
+    assert answer.returncode == 2
+    assert "--frob" in answer.stderr.splitlines()[-1]
+
+
+def test_a_window_without_a_screen_is_refused_in_one_sentence() -> None:
+    answer = run("gui", DISPLAY="", WAYLAND_DISPLAY="", QT_QPA_PLATFORM="")
+    assert answer.returncode == 2
+    assert len(answer.stderr.splitlines()) == 1
+    assert "screen" in answer.stderr
