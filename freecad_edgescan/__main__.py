@@ -26,16 +26,22 @@ if TYPE_CHECKING:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run one sub-command and answer its exit code."""
-    words = list(sys.argv[1:] if arguments is None else arguments)
-    options = read_options(words)
-    warnings.showwarning = _show_warning
     try:
-        code = COMMANDS[options.command](options)
-        sys.stdout.flush()
-        return code
+        try:
+            return _run(read_options(sys.argv[1:] if arguments is None else arguments))
+        finally:
+            sys.stdout.flush()
     except BrokenPipeError:  # whoever read what is printed has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 141
+
+
+def _run(options: argparse.Namespace) -> int:
+    warnings.showwarning = _show_warning
+    try:
+        return COMMANDS[options.command](options)
+    except BrokenPipeError:
+        raise
     except (ValueError, OSError, ImportError, MemoryError) as error:
         if options.debug:
             raise

@@ -44,6 +44,7 @@ def read_options(words: Sequence[str]) -> argparse.Namespace:
     parser = _parser()
     options, unknown = parser.parse_known_args(_bind_negative_values(words))
     if unknown:
+        parser.prog += f" {options.command}"
         word = unknown[0]
         if word.startswith("-"):
             parser.error(f"{options.command} has no option {word}")
@@ -152,7 +153,9 @@ def _add_command(
 
 def _add_file(command: argparse.ArgumentParser) -> None:
     command.add_argument("file", help=".xyz .txt .asc .csv .ply .pcd")
-    command.add_argument("--unit", choices=UNITS, help="of the file (default: mm); all else is mm")
+    command.add_argument(
+        "--unit", choices=UNITS, help="of the file (default: mm); all the rest is mm"
+    )
 
 
 def _bind_negative_values(words: Sequence[str]) -> list[str]:
@@ -170,8 +173,9 @@ def _vector(text: str) -> Vector:
     try:
         x, y, z = (float(number) for number in re.split(r"[,;\s]+", text.strip()))
     except ValueError:
-        words = f"{text!r} is not three numbers with commas and no blanks, such as 1.5,-2,30"
-        raise argparse.ArgumentTypeError(words) from None
+        words = f"{text!r} is not three numbers"
+        way = "write them with commas and without blanks, such as 1.5,-2,30"
+        raise argparse.ArgumentTypeError(f"{words}; {way}") from None
     return x, y, z
 
 

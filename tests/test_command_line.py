@@ -189,6 +189,19 @@ def test_a_cloud_that_looks_like_metres_is_remarked_on(capsys, tmp_path: Path) -
     assert "--unit m" in capsys.readouterr().err
 
 
+def test_help_that_nobody_reads_is_silent() -> None:
+    reading, writing = os.pipe()
+    os.close(reading)
+    try:
+        answer = subprocess.run(
+            [sys.executable, "-m", "freecad_edgescan", "scan", "--help"],
+            stdout=writing, stderr=subprocess.PIPE, cwd=CHECKOUT,
+        )  # fmt: skip
+    finally:
+        os.close(writing)
+    assert answer.stderr == b""
+
+
 def test_a_sigma_of_some_nanometres_is_not_printed_as_zero(capsys, tmp_path: Path) -> None:
     np.savetxt(tmp_path / "exact.xyz", roof(noise=1e-6))
     assert main(["scan", str(tmp_path / "exact.xyz"), "--at", "-1,0.2,0"]) == 0
@@ -347,7 +360,7 @@ def test_a_second_file_and_an_unknown_option_are_named(capsys) -> None:
 
 
 def test_numbers_with_blanks_between_them_are_told_to_take_commas(capsys) -> None:
-    assert "commas and no blanks" in complaint(capsys, "scan", "a.ply", "--at", "20", "0", "0")
+    assert "commas and without blanks" in complaint(capsys, "scan", "a.ply", "--at", "20", "0", "0")
 
 
 @pytest.mark.parametrize(

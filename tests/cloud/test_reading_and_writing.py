@@ -104,3 +104,16 @@ def test_writing_under_another_ending_is_refused(tmp_path, name):
 def test_writing_into_a_folder_that_is_not_there_is_refused(tmp_path, name):
     with pytest.raises(ValueError, match="cannot be written"):
         write_cloud(PointCloud([[1, 2, 3]]), tmp_path / name)
+
+
+@pytest.mark.parametrize(("unit", "length"), [("mm", 1.0), ("m", 1000.0), ("inch", 25.4)])
+def test_numbers_of_another_unit_become_mm(tmp_path: Path, unit: str, length: float) -> None:
+    (tmp_path / "three.xyz").write_text("1 2 3\n4 5 6\nnan 8 9\n")
+    with pytest.warns(UserWarning, match="1 of 3"):
+        cloud = read_cloud(tmp_path / "three.xyz", unit=unit)
+    assert cloud.points.tolist() == pytest.approx(length * np.array([[1, 2, 3], [4, 5, 6]]))
+
+
+def test_an_unknown_unit_is_refused_with_those_that_are_known(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"'ell'.*inch"):
+        read_cloud(tmp_path / "three.xyz", unit="ell")

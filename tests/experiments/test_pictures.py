@@ -9,9 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from freecad_edgescan.cloud import CoreBox
-from freecad_edgescan.experiments import draw_edges, draw_errors, draw_section
+from freecad_edgescan.cloud import CoreBox, PointCloud
+from freecad_edgescan.experiments import draw_cloud, draw_edges, draw_errors, draw_section
+from freecad_edgescan.experiments.cloud_picture import _VIEWS
 from freecad_edgescan.experiments.error_picture import signed_errors
+from freecad_edgescan.experiments.relief import relief
 from freecad_edgescan.scanning import Gate, Start, scan_edge
 
 BOX = CoreBox.small()
@@ -72,3 +74,20 @@ def test_the_moved_sides_meet_in_the_edge_point(edges) -> None:
         assert np.linalg.norm(moved[1] - moved[0]) < np.linalg.norm(curve[-1] - curve[0]) / 10
         gaps = np.linalg.norm(moved[1:, None] - curve, axis=2).min(axis=1)
         np.testing.assert_allclose(gaps, probe, rtol=0.02)
+
+
+@pytest.mark.parametrize("view", _VIEWS, ids=lambda view: view[-1])
+def test_axes_of_a_cloud_seen_from_three_sides_are_the_parts_own(cloud, view) -> None:
+    _, direction, right, up, _ = view
+    place = np.array([[1.0, 20.0, 300.0]])
+    seen = relief(cloud.points, cloud.pitch, direction).project(place)[0]
+    assert seen[0] == pytest.approx(place[0, "xyz".index(right)])
+    assert seen[1] == pytest.approx(place[0, "xyz".index(up)])
+
+
+@pytest.mark.parametrize("scale", [(1, 1, 1), (1, 1, 0), (100, 1, 1)], ids=["box", "flat", "long"])
+def test_a_cloud_of_any_shape_far_from_the_origin_is_drawn(tmp_path: Path, scale) -> None:
+    pytest.importorskip("matplotlib")
+    points = np.random.default_rng(2).uniform(0, 10, (2000, 3)) * scale + 1e6
+    draw_cloud(PointCloud(points), tmp_path / "cloud.png")
+    assert (tmp_path / "cloud.png").stat().st_size > 5000
