@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..cloud import PointCloud
+from ..scanning import ScanError
 from .bridge import document_points_of
 
 __all__ = ["cloud_checksum", "forget_clouds", "point_cloud", "probe_radius_of"]
@@ -41,7 +42,8 @@ def point_cloud(obj: Any) -> PointCloud:
 
     Raises
     ------
-    ValueError: the object is no cloud, or is empty.
+    ValueError: the object is no cloud.
+    ScanError: it is empty, or its probe cannot be.
     """
     return _up_to_date(obj)[1]
 
@@ -66,7 +68,7 @@ def forget_clouds(doc_name: str, name: str | None = None) -> None:
 def _up_to_date(obj: Any) -> tuple[str, PointCloud]:
     points = document_points_of(obj)
     if len(points) == 0:
-        raise ValueError(
+        raise ScanError(
             f"The cloud {obj.Label!r} is empty; import its points again, or choose another cloud."
         )
     radius, approach = _probe(obj)
@@ -74,7 +76,10 @@ def _up_to_date(obj: Any) -> tuple[str, PointCloud]:
     key = (obj.Document.Name, obj.Name)
     entry = _clouds.get(key)
     if entry is None or entry[0] != checksum:
-        entry = (checksum, PointCloud(points, radius, approach))
+        try:
+            entry = (checksum, PointCloud(points, radius, approach))
+        except ValueError as error:
+            raise ScanError(f"The cloud {obj.Label!r} cannot be scanned: {error}") from error
         _clouds[key] = entry
         _watch()
     _clouds.move_to_end(key)

@@ -121,10 +121,10 @@ def input_hash(obj: Any) -> str:
 
     Raises
     ------
-    ValueError: there is no cloud, or it is empty.
+    ScanError: there is no cloud, it is empty, or its probe cannot be.
     """
     if obj.Cloud is None:
-        raise ValueError(
+        raise ScanError(
             f"The cloud of the edge {obj.Label!r} was deleted; choose another one in its property "
             "Cloud, or undo the deletion. The edge found before is kept."
         )

@@ -13,11 +13,12 @@ import FreeCAD
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start, scan_edge
+from ..scanning import Gate, Progress, ScanError, ScannedEdge, ScanParameters, Start, scan_edge
 from .bridge import origin_of
 from .cloud_cache import point_cloud, probe_radius_of
 from .declared_properties import declare
 from .native_edge import edge_shape
+from .refusal import RefusalError
 from .scan_inputs import checked_inputs, input_hash, read_inputs, write_inputs
 from .scanned_edge_properties import CHOICES, LENGTHS, PROPERTIES, SCHEMA_VERSION
 
@@ -140,14 +141,9 @@ class ScannedEdgeProxy:
         A scan that fails leaves the edge found before, and its sentence is in ``Message``.
         """
         _show_probe_radius(obj)
-        try:
-            if obj.InputHash == input_hash(obj) and not obj.Shape.isNull():
-                return
-            write_result(obj, scan_again(obj))
-        except ValueError as error:
-            obj.InputHash = ""
-            obj.Message = str(error)
-            raise
+        refused = _scan_if_changed(obj)
+        if refused is not None:
+            raise RefusalError(refused)
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Bring an object of an older file up to date."""
@@ -166,6 +162,20 @@ class ScannedEdgeProxy:
     # FreeCAD before 0.21.2 asks for these instead.
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def _scan_if_changed(obj: Any) -> str | None:
+    """Scan when an input has changed; the sentence that says why not, when it is refused."""
+    try:
+        if obj.InputHash != input_hash(obj) or obj.Shape.isNull():
+            write_result(obj, scan_again(obj))
+    except ValueError as error:
+        obj.InputHash = ""
+        obj.Message = str(error)
+        if isinstance(error, ScanError):
+            return str(error)
+        raise
+    return None
 
 
 def _show_probe_radius(obj: Any) -> None:
