@@ -12,6 +12,7 @@ from .icons import icon_path
 from .message import problems_shown
 from .qt import QtCore, QtWidgets
 from .recorded_step import run_as_one_step
+from .shading import shade
 from .shown import fit_view, select_only
 
 __all__ = ["ImportCloudCommand", "import_clouds"]
@@ -76,7 +77,10 @@ def import_clouds(paths: list[str]) -> list[Any]:
     try:
         progress.next()
         made = run_as_one_step(
-            doc, "Import cloud", [f"document.make_cloud(doc, {path!r})" for path in paths]
+            doc,
+            "Import cloud",
+            [f"document.make_cloud(doc, {path!r})" for path in paths],
+            shade,
         )
     except BaseException:
         if is_new:

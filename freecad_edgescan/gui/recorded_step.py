@@ -41,7 +41,7 @@ def run_as_one_step(
     title : what the undo menu calls the step
     lines : Python statements
     before_recompute : gets the objects that were made, to write results into them that are known
-        already; it is not recorded, so it must only save time
+        already, or to dress them; it is not recorded, so it must only save time or change looks
 
     Returns
     -------
