@@ -14,7 +14,7 @@ class Stop(StrEnum):
     CLOSED = "came back to its own start"
     CORNER = "reached a corner"
     CLOUD_END = "reached the end of the cloud"
-    SMOOTH = "the two sides became one smooth surface"
+    SMOOTH = "came to where the two sides are one smooth surface"
     LOST = "lost the edge"
     LIMIT = "reached the largest number of edge points"
     CANCELLED = "was cancelled"
