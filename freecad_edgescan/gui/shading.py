@@ -32,7 +32,7 @@ def _shade_one(cloud: Any) -> None:
     if len(numbers) > MOST_POINTS or len(numbers) <= _NEIGHBOURS or hasattr(cloud, "Color"):
         return
     cloud.addProperty("App::PropertyColorList", "Color", "Cloud", "Shading of the points", 1 + 4)
-    cloud.Color = [(grey, grey, grey) for grey in brightness(numbers).tolist()]
+    cloud.Color = [(float(grey),) * 3 for grey in brightness(numbers)]
     cloud.ViewObject.DisplayMode = "Color"
 
 
