@@ -23,6 +23,7 @@ from .walker import jumped, predict, reversed_frame
 _BALLS = (4.0, 6.0, 9.0, 14.0, 20.0, 30.0)  # radii round the click, in pitches
 _NEIGHBOURS = 16
 _SAME_DIRECTION = np.radians(14.0)  # at most; less where flatter edges are wanted
+_NEAR = 6.0  # pitches besides a rounding: a click farther off does not mean this edge
 _LARGEST_SIGMA = 0.5  # pitches
 _GROWTH = 1.7  # of the reach, from one measurement to the next
 
@@ -49,7 +50,8 @@ def find_seed(
     at : (3,) the click, mm
     settings : its reach is the largest one to use, and a given one is used in any case
     along : (3,) unit vector; only edges within 40° of it count, and it gives the direction
-    within : largest distance of the edge from the click, mm; by default what each ball can see
+    within : largest distance of the edge from the click, mm; by default a few pitches besides
+        what a rounding takes
     """
     seeds = []
     for ball in _BALLS:
@@ -157,7 +159,7 @@ def _confirmed(
     station, found = seed.station, seed.station.frame
     if found.turn[0] < settings.min_angle or station.sigma > _LARGEST_SIGMA * settings.cloud_pitch:
         return None
-    if _gap(station, at) > (within or max(radius, 4.0 * settings.cloud_pitch)):
+    if _gap(station, at) > (within or _NEAR * settings.cloud_pitch + max(station.begins)):
         return None
     if along is not None:
         if abs(float(found.tangent[0] @ along)) < np.cos(np.radians(40.0)):

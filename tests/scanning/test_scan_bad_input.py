@@ -203,3 +203,11 @@ def test_parameters_that_have_no_effect_are_named(part):
 def test_a_cloud_pitch_has_no_effect_and_is_named(part):
     asked = ScanParameters(cloud_pitch=0.7)
     assert "cloud pitch" in scan_edge(part.cloud, part.at(), parameters=asked).message
+
+
+@pytest.mark.parametrize("pitches", [12, 20, 28])
+def test_a_click_on_a_flat_side_does_not_mean_an_edge_farther_off(wedge, pitches):
+    part = wedge(90.0, width=20.0)
+    sentence = refusal(part.cloud, part.at(0.0, 0.5 * pitches))
+    assert "nearest edge" in sentence
+    assert f"{0.5 * pitches:.2g}" in sentence
