@@ -72,7 +72,7 @@ class PatchSection:
         self.cloud = cloud
         self.settings = settings
 
-    def measure(self, predicted: Frames, half_width: float) -> Station:
+    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
         """Measure one edge point in the slab around a predicted section.
 
         Where the slab holds too few points to know the edge well, a wider one is tried.

@@ -17,6 +17,7 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud, require_surface
 from .automatic import MIN_ANGLE, Chosen, choose_parameters
 from .errors import ScanError
+from .gait import AdaptiveGait
 from .parameters import ScanParameters
 from .patch_edge import finish_edge
 from .patch_section import PatchSection
@@ -186,14 +187,14 @@ def _trace(
     progress: Progress | None,
 ) -> Trace:
     settings = section.settings
-    steps = settings.edge_pitch, settings.half_width, settings.longest_step
+    gait = AdaptiveGait(settings.edge_pitch, settings.half_width, settings.longest_step)
     if arrived is None and start is None:
-        return trace_both_ways(section, first, *steps, progress=progress)
+        return trace_both_ways(section, first, gait, progress)
     if start is None and arrived is not None:
         target = arrived.point if isinstance(arrived, PointGate) else arrived.gate.point
         if (target - first.frame.origin[0]) @ first.frame.tangent[0] < 0:
             first = turned(first)
-    return trace_one_way(section, first, *steps, arrived, progress)
+    return trace_one_way(section, first, gait, arrived, progress)
 
 
 def _check_gate_ahead(start: Start | None, point: np.ndarray, reach: float) -> None:

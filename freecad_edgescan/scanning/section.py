@@ -19,6 +19,7 @@ from ..geometry.frames import cross
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from .probed_line import ProbedLine
     from .stop import Stop
 
 
@@ -180,6 +181,8 @@ class Station:
     begins : (2,) distance from the edge where each side's support begins, mm
     cover : how much of the two sides' points the fits explain, 0 … 1
     stop : why no edge point could be measured here; None when there is one
+    step : length of the step that led here, mm; nan at the first station
+    line : what a probe touched here, when one did
     """
 
     frame: Frames
@@ -188,13 +191,22 @@ class Station:
     begins: tuple[float, float] = (np.nan, np.nan)
     cover: float = 1.0
     stop: Stop | None = None
+    step: float = np.nan
+    line: ProbedLine | None = None
 
 
 class Section(Protocol):
     """How one edge point of a walk is obtained."""
 
-    def measure(self, predicted: Frames, half_width: float) -> Station:
-        """Measure one edge point near a predicted section; a failure is a station with a stop."""
+    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
+        """Measure one edge point near a predicted section; a failure is a station with a stop.
+
+        Parameters
+        ----------
+        predicted : one section
+        half_width : mm to both sides of it along the edge, to take points from
+        last : the station before
+        """
         ...
 
     def ending(self, last: Station, stop: Stop) -> Stop:

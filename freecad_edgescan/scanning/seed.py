@@ -16,9 +16,9 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from .evened import one_per_cell
+from .gait import jumped, predict, reversed_frame
 from .patch_section import PatchSection, PatchSettings
 from .section import Frames, Station, frames_from_sides
-from .walker import jumped, predict, reversed_frame
 
 _BALLS = (4.0, 6.0, 9.0, 14.0, 20.0, 30.0)  # radii round the click, in pitches
 _NEIGHBOURS = 16

@@ -8,11 +8,12 @@ from typing import Protocol
 
 import numpy as np
 
+from .gait import Gait, reversed_frame
 from .progress import Progress
 from .section import Section, Station
 from .start import Gate
 from .stop import Stop
-from .walker import Arrived, reversed_frame, walk
+from .walker import Arrived, walk
 
 
 @dataclass(frozen=True)
@@ -31,27 +32,23 @@ class Trace:
 def trace_one_way(
     section: Section,
     first: Station,
-    edge_pitch: float,
-    half_width: float,
-    longest_step: float,
+    gait: Gait,
     arrived: Arrived | None = None,
     progress: Progress | None = None,
 ) -> Trace:
     """Walk along the first station's tangent only."""
-    onward = walk(section, first, edge_pitch, half_width, longest_step, arrived, progress=progress)
+    onward = walk(section, first, gait, arrived, progress=progress)
     return Trace([first, *onward.stations], (Stop.START, onward.stop))
 
 
 def trace_both_ways(
     section: Section,
     first: Station,
-    edge_pitch: float,
-    half_width: float,
-    longest_step: float,
+    gait: Gait,
     progress: Progress | None = None,
 ) -> Trace:
     """Walk along the tangent until the edge ends, then from the first station the other way."""
-    onward = walk(section, first, edge_pitch, half_width, longest_step, progress=progress)
+    onward = walk(section, first, gait, progress=progress)
     if onward.stop is Stop.CLOSED:
         return Trace([first, *onward.stations], (Stop.CLOSED, Stop.CLOSED))
     if onward.stop is Stop.CANCELLED:
@@ -60,9 +57,7 @@ def trace_both_ways(
     backward = walk(
         section,
         turned(first),
-        edge_pitch,
-        half_width,
-        longest_step,
+        gait,
         progress=progress,
         known=known,
     )

@@ -5,10 +5,11 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
+from freecad_edgescan.scanning.gait import AdaptiveGait, predict, reversed_frame
 from freecad_edgescan.scanning.section import Station, frames_from_sides
 from freecad_edgescan.scanning.stop import Stop
 from freecad_edgescan.scanning.trace import PointGate, trace_both_ways, trace_one_way
-from freecad_edgescan.scanning.walker import predict, reversed_frame, walk
+from freecad_edgescan.scanning.walker import walk
 
 PITCH = 1.0
 
@@ -66,7 +67,7 @@ class KnownEdge:
             options={"xatol": 1e-9},
         ).x
 
-    def measure(self, predicted, half_width):
+    def measure(self, predicted, half_width, last):
         self.widths.append(half_width)
         if self.curve is straight:
             self.at = predicted.origin[0, 0]
@@ -81,7 +82,11 @@ class KnownEdge:
 
 
 def walked(edge, longest=PITCH, **more):
-    return walk(edge, edge.station(0.0), PITCH, 0.75 * PITCH, longest, **more)
+    return walk(edge, edge.station(0.0), gait(longest), **more)
+
+
+def gait(longest=PITCH):
+    return AdaptiveGait(PITCH, 0.75 * PITCH, longest)
 
 
 def places(stations):
@@ -209,7 +214,7 @@ def test_new_points_add_up_to_the_points_so_far():
 
 def test_both_ways_are_one_edge_in_walking_order():
     edge = KnownEdge(straight, -30.0, 40.0)
-    trace = trace_both_ways(edge, edge.station(0.0), PITCH, 0.75, PITCH)
+    trace = trace_both_ways(edge, edge.station(0.0), gait())
     assert trace.stops == (Stop.CLOUD_END, Stop.CLOUD_END)
     x = places(trace.stations)[:, 0]
     assert (np.diff(x) > 0).all()
@@ -221,7 +226,7 @@ def test_both_ways_are_one_edge_in_walking_order():
 def test_points_found_both_ways_are_each_told_once():
     listener = Listener()
     edge = KnownEdge(straight, -45.0, 55.0)
-    trace_both_ways(edge, edge.station(0.0), PITCH, 0.75, PITCH, progress=listener)
+    trace_both_ways(edge, edge.station(0.0), gait(), progress=listener)
     told = np.sort(np.vstack(listener.heard)[:, 0])
     steps = np.diff(told)
     assert steps.max() < PITCH + 0.01
@@ -233,14 +238,14 @@ def test_points_found_both_ways_are_each_told_once():
 def test_points_so_far_are_in_walking_order():
     listener = Listener()
     edge = KnownEdge(straight, -45.0, 55.0)
-    trace_both_ways(edge, edge.station(0.0), PITCH, 0.75, PITCH, progress=listener)
+    trace_both_ways(edge, edge.station(0.0), gait(), progress=listener)
     steps = np.linalg.norm(np.diff(listener.whole[-1], axis=0), axis=1)
     assert steps.max() < 1.5 * PITCH
 
 
 def test_one_way_begins_at_the_start():
     trace = trace_one_way(
-        KnownEdge(straight, -50.0, 20.0), KnownEdge(straight).station(0.0), PITCH, 0.75, PITCH
+        KnownEdge(straight, -50.0, 20.0), KnownEdge(straight).station(0.0), gait()
     )
     assert trace.stops == (Stop.START, Stop.CLOUD_END)
     assert places(trace.stations)[0] == pytest.approx([0, 0, 0])
@@ -249,8 +254,6 @@ def test_one_way_begins_at_the_start():
 
 def test_a_cancelled_scan_both_ways_does_not_begin_the_other_way():
     edge = KnownEdge(straight)
-    trace = trace_both_ways(
-        edge, edge.station(0.0), PITCH, 0.75, PITCH, progress=Listener(patience=1)
-    )
+    trace = trace_both_ways(edge, edge.station(0.0), gait(), progress=Listener(patience=1))
     assert trace.stops[1] is Stop.CANCELLED
     assert places(trace.stations)[:, 0].min() >= 0.0
