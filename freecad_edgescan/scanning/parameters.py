@@ -6,10 +6,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from enum import StrEnum
+from typing import Any
 
 import numpy as np
 
 from .errors import ScanError
+from .safeguards import Safeguards
 from .start import numbers
 
 
@@ -73,6 +75,7 @@ class ScanParameters:
     approach : direction the probe came along; None: the cloud's own
     prehit_distance, search_distance : handed to the measuring machine with each move, mm
     cloud_pitch : pitch that tells a gap from surface in a probed scan of a cloud, mm
+    safeguards : measures of a probed scan beyond the algorithm as printed
 
     Raises
     ------
@@ -94,6 +97,23 @@ class ScanParameters:
     prehit_distance: float | None = None
     search_distance: float | None = None
     cloud_pitch: float | None = None
+    safeguards: Safeguards | None = None
+
+    @classmethod
+    def literal(cls, **values: Any) -> ScanParameters:
+        """The probed scan exactly as it is printed, without any measure beyond it.
+
+        Parameters
+        ----------
+        values : parameters by name; the printed compensation is used unless another one is given
+        """
+        printed = {
+            "compensation": Compensation.INTERSECTION_PRINTED,
+            "tangent": Tangent.POLYNOMIALS,
+            "steering": Steering.TANGENT,
+            "safeguards": Safeguards.none(),
+        }
+        return cls(**{**printed, **values})
 
     def __post_init__(self) -> None:
         for name in _LENGTHS:

@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scanning one line across an edge with a measuring machine (Schreve 4.2).
+
+Along the line each next target lies one line pitch further on the straight line through the last
+two contacts; the search for it begins one prehit distance in the air and goes square to that
+straight line, in the scanning plane.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import atan2, ceil, cos, hypot, sin
+
+import numpy as np
+
+from .cmm import Cmm
+from .probe_settings import ProbeSettings
+from .stop import Stop
+
+__all__ = ["LineScanner", "ScanPlane", "ScannedLine"]
+
+_LARGEST_GAP = 1.5  # line pitches; beyond it points are missing between two contacts
+_MOST_POINTS = 4.0  # times as many as fit on a line of one amplitude
+_SAME_POINT = 1e-6  # line pitches
+_LEAST_PROGRESS = 0.1  # line pitches, towards the target
+_LONGER_STEPS = (2.0, 3.0)  # line pitches, tried after a point that was touched twice
+_ROUND_TURNS = (0.6, 1.2, 1.8)  # rad, tried round an edge behind which nothing was touched
+
+
+@dataclass(frozen=True)
+class ScanPlane:
+    """The plane of a scan line: x across the edge in the direction of travel, y into the part.
+
+    Attributes
+    ----------
+    origin : (3,) mm
+    across, inward : (3,) unit vectors of x and y, square to each other
+    """
+
+    origin: np.ndarray
+    across: np.ndarray
+    inward: np.ndarray
+
+    def place(self, x: float, y: float) -> np.ndarray:
+        """The point (3,) at two coordinates."""
+        return self.origin + x * self.across + y * self.inward
+
+    def coordinates(self, point: np.ndarray) -> tuple[float, float]:
+        """Both coordinates of a point, moved square into the plane."""
+        offset = point - self.origin
+        return float(offset @ self.across), float(offset @ self.inward)
+
+
+@dataclass(frozen=True)
+class ScannedLine:
+    """Contacts (n, 3) in the order of travel, and why there are no more, if they do not suffice."""
+
+    contacts: np.ndarray
+    stop: Stop | None
+
+
+class _Halted(Exception):  # noqa: N818 - the end of a line is no error
+    """No further contact on this line."""
+
+    def __init__(self, stop: Stop) -> None:
+        super().__init__(stop.value)
+        self.stop = stop
+
+
+class LineScanner:
+    """Scans lines with a machine and keeps where the machine stands.
+
+    Parameters
+    ----------
+    cmm : who touches
+    settings : pitches, amplitude, prehit and search distance
+    """
+
+    def __init__(self, cmm: Cmm, settings: ProbeSettings) -> None:
+        self.cmm, self.settings = cmm, settings
+        self.position: np.ndarray | None = None
+
+    def scan(
+        self,
+        plane: ScanPlane,
+        start: tuple[float, float],
+        heading: tuple[float, float],
+        first: np.ndarray | None = None,
+    ) -> ScannedLine:
+        """Scan a line until it is one amplitude long, with half of it behind the edge.
+
+        Parameters
+        ----------
+        plane : in which the line is scanned
+        start : coordinates in the plane of the first target, which is touched along y
+        heading : unit direction in the plane from the first contact to the second
+        first : (3,) mm, a contact that is already there and begins the line
+        """
+        line = _Line(plane)
+        try:
+            if first is None:
+                first = self._first(plane, start)
+            line.add(first)
+            self._second(line, heading)
+            most = _MOST_POINTS * self.settings.amplitude / self.settings.line_pitch + 10.0
+            while not line.complete(self.settings.amplitude, self.settings.half_line):
+                if len(line) > most:
+                    return ScannedLine(np.array(line.contacts), Stop.NO_EDGE)
+                self._next(line)
+        except _Halted as halt:
+            # What lies behind the edge may suffice.
+            return ScannedLine(np.array(line.contacts).reshape(-1, 3), halt.stop)
+        return ScannedLine(np.array(line.contacts), None)
+
+    def _first(self, plane: ScanPlane, start: tuple[float, float]) -> np.ndarray:
+        contact, collided = self._touch(plane, *start, 0.0, 1.0)
+        if collided:
+            raise _Halted(Stop.COLLISION)
+        if contact is None:
+            raise _Halted(Stop.OFF_OBJECT)
+        return contact
+
+    def _second(self, line: _Line, heading: tuple[float, float]) -> None:
+        line.heading = heading
+        self._next(line)
+
+    def _next(self, line: _Line) -> None:
+        """Touch the next point; refill the gap before it."""
+        pitch, safeguards = self.settings.line_pitch, self.settings.safeguards
+        x, y = line.end
+        ux, uy = line.heading
+        contact, _ = self._touch(line.plane, x + pitch * ux, y + pitch * uy, -uy, ux)
+        if contact is None:
+            contact = self._round_the_edge(line)
+        if contact is None:
+            raise _Halted(Stop.OFF_OBJECT)
+        if not line.moved_on(contact, pitch, safeguards.step_on):
+            contact = self._step_on(line) if safeguards.step_on else None
+            if contact is None:
+                raise _Halted(Stop.REPEATED_POINT)
+        gap = line.gap_to(contact)
+        if gap > _LARGEST_GAP * pitch:
+            self._refill(line, contact, ceil(gap / pitch) - 1)
+        line.add(contact)
+
+    def _step_on(self, line: _Line) -> np.ndarray | None:
+        """Look for a new point in longer steps."""
+        (x, y), (ux, uy), pitch = line.end, line.heading, self.settings.line_pitch
+        for longer in _LONGER_STEPS:
+            step = longer * pitch
+            contact, _ = self._touch(line.plane, x + step * ux, y + step * uy, -uy, ux)
+            if contact is not None and line.moved_on(contact, pitch, True):
+                return contact
+        return None
+
+    def _round_the_edge(self, line: _Line) -> np.ndarray | None:
+        """Look for the part once more when a search went past it (Schreve figure 4.20)."""
+        x, y = line.end
+        if not self.settings.safeguards.feel_round:
+            # Between the last contact and where the search has ended.
+            ux, uy = line.heading
+            pitch, depth = self.settings.line_pitch, self.settings.search_distance
+            ex, ey = pitch * ux - depth * uy, pitch * uy + depth * ux
+            size = hypot(ex, ey)
+            contact, _ = self._touch(line.plane, x + 0.5 * ex, y + 0.5 * ey, -ey / size, ex / size)
+            return contact
+        angle, pitch = atan2(line.heading[1], line.heading[0]), self.settings.line_pitch
+        for turn in _ROUND_TURNS:
+            ux, uy = cos(angle + turn), sin(angle + turn)
+            contact, _ = self._touch(line.plane, x + pitch * ux, y + pitch * uy, -uy, ux)
+            if contact is not None and line.gap_to(contact) < self.settings.amplitude:
+                return contact
+        return None
+
+    def _refill(self, line: _Line, contact: np.ndarray, count: int) -> None:
+        """Touch points between the last contact and one too far from it (Schreve 4.2.2)."""
+        (x, y), (ex, ey) = line.end, line.plane.coordinates(contact)
+        gx, gy = ex - x, ey - y
+        size = hypot(gx, gy)
+        ux, uy = gx / size, gy / size
+        pitch = self.settings.line_pitch
+        for k in range(1, count + 1):
+            share = k / (count + 1)
+            # An edge in the gap may stand half the gap above its chord.
+            between, _ = self._touch(
+                line.plane, x + share * gx, y + share * gy, -uy, ux, lift=0.5 * size
+            )
+            if between is None:
+                continue
+            along = line.progress(between, (ux, uy))
+            left = size - line.progress_from((x, y), between, (ux, uy))
+            if along > _LEAST_PROGRESS * pitch and left > _LEAST_PROGRESS * pitch:
+                line.add(between)
+
+    def _touch(
+        self, plane: ScanPlane, x: float, y: float, dx: float, dy: float, lift: float = 0.0
+    ) -> tuple[np.ndarray | None, bool]:
+        """Contact of a search for a target along a direction, and whether the way to it collided.
+
+        A collision is a contact, too: the point is measured again from where the machine stands
+        (Schreve 4.7.2).
+        """
+        prehit, search = self.settings.prehit_distance + lift, self.settings.search_distance
+        start = plane.place(x - prehit * dx, y - prehit * dy)
+        collision = self._go(start)
+        if collision is not None:
+            self.position = collision - (prehit * dx) * plane.across - (prehit * dy) * plane.inward
+            return collision, True
+        way = dx * plane.across + dy * plane.inward
+        contact = self.cmm.touch(start, way, prehit, search)
+        if contact is None:
+            self.position = start
+            return None, False
+        contact = np.asarray(contact, dtype=float)
+        # Back along the search line by the prehit distance, where the air is known to be free.
+        depth = float((contact - start) @ way) - self.settings.prehit_distance
+        self.position = start + depth * way
+        return contact, False
+
+    def _go(self, target: np.ndarray) -> np.ndarray | None:
+        if self.position is None:
+            return None
+        collision = self.cmm.move(self.position, target)
+        return None if collision is None else np.asarray(collision, dtype=float)
+
+
+class _Line:
+    """A line being scanned: its contacts, in space and in its plane."""
+
+    def __init__(self, plane: ScanPlane) -> None:
+        self.plane = plane
+        self.contacts: list[np.ndarray] = []
+        self.xy: list[tuple[float, float]] = []
+        self.length = 0.0
+        self.heading = (1.0, 0.0)
+
+    def __len__(self) -> int:
+        return len(self.contacts)
+
+    @property
+    def end(self) -> tuple[float, float]:
+        return self.xy[-1]
+
+    def add(self, contact: np.ndarray) -> None:
+        here = self.plane.coordinates(contact)
+        if self.xy:
+            x, y = self.xy[-1]
+            step = hypot(here[0] - x, here[1] - y)
+            self.length += step
+            if step > 0.0:
+                self.heading = ((here[0] - x) / step, (here[1] - y) / step)
+        self.contacts.append(contact)
+        self.xy.append(here)
+
+    def gap_to(self, contact: np.ndarray) -> float:
+        x, y = self.plane.coordinates(contact)
+        return hypot(x - self.end[0], y - self.end[1])
+
+    def progress(self, contact: np.ndarray, way: tuple[float, float]) -> float:
+        return self.progress_from(self.end, contact, way)
+
+    def progress_from(
+        self, start: tuple[float, float], contact: np.ndarray, way: tuple[float, float]
+    ) -> float:
+        x, y = self.plane.coordinates(contact)
+        return (x - start[0]) * way[0] + (y - start[1]) * way[1]
+
+    def moved_on(self, contact: np.ndarray, pitch: float, strict: bool) -> bool:
+        """Whether a contact is another one than the last, and (strictly) lies ahead of it."""
+        offset = contact - self.contacts[-1]
+        if float(offset @ offset) < (_SAME_POINT * pitch) ** 2:
+            return False
+        return not strict or self.gap_to(contact) > _LEAST_PROGRESS * pitch
+
+    def complete(self, amplitude: float, half_line: float) -> bool:
+        """Whether the line is long enough, as a whole and behind the edge (Schreve 4.2.3)."""
+        return self.length >= amplitude and self._behind_edge() >= half_line
+
+    def _behind_edge(self) -> float:
+        """Length from the point farthest from the line's chord, about where the edge is."""
+        xy = np.array(self.xy)
+        chord = xy[-1] - xy[0]
+        offset = xy - xy[0]
+        off = np.abs(offset[:, 0] * chord[1] - offset[:, 1] * chord[0])
+        behind = np.diff(xy[int(off.argmax()) :], axis=0)
+        return float(np.hypot(behind[:, 0], behind[:, 1]).sum())

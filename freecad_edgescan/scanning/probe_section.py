@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Edge points from lines that a measuring machine scans across the edge (a `Section`).
+
+Square and zigzag are two ways of laying the next line; everything else is the same. The edge
+points of the walk are intermediate ones: the probe radius is taken off in a second pass.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .cmm import Cmm
+from .line_scanner import LineScanner, ScannedLine, ScanPlane
+from .parameters import Pattern
+from .probe_settings import ProbeSettings
+from .probed_line import ProbedLine, measure_line
+from .probed_tangent import edge_tangent
+from .section import Frames, Station, frames_from_sides
+from .start import Start
+from .stop import Stop
+
+__all__ = ["ProbeSection"]
+
+_DEGENERATED = 0.25  # edge pitches a zigzag's turning point may be off before it is laid anew
+_FARTHEST = 0.5  # amplitudes an edge point may lie from where it was predicted
+
+
+class ProbeSection:
+    """Measures edge points with a machine.
+
+    Parameters
+    ----------
+    cmm : who touches
+    settings : of the scan
+    """
+
+    def __init__(self, cmm: Cmm, settings: ProbeSettings) -> None:
+        self.settings = settings
+        self.scanner = LineScanner(cmm, settings)
+        self.failure: Exception | None = None
+
+    def begin(self, start: Start) -> Station:
+        """Scan the first line, from a start as a person gives it (Schreve 4.6)."""
+        across = start.across
+        inward = _square_to(self.settings.approach, across)
+        tangent = _cross(across, inward)
+        if tangent @ start.along < 0.0:
+            tangent = -tangent
+        plane = ScanPlane(start.point, across, inward)
+        scanned = self._scan(plane, (0.0, 0.0), (1.0, 0.0))
+        line = self._measured(scanned, plane, tangent, 0)
+        if isinstance(line, Stop):
+            sides = np.array([-across, across - inward])
+            frame = frames_from_sides(start.point[None], tangent[None], sides[None])
+            return Station(frame, stop=line)
+        frame = frames_from_sides(line.edge_point[None], tangent[None], line.rough_sides[None])
+        return Station(frame, line=line)
+
+    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:  # noqa: ARG002
+        """Scan the next line, towards a predicted edge point."""
+        before = last.line
+        if before is None:
+            raise TypeError("a probed scan goes on from a line")
+        starts_on = before.ends_on
+        origin, tangent = predicted.origin[0], predicted.tangent[0]
+        target, contact = self._line_start(before, predicted, last)
+        plane = self._plane(origin, tangent, predicted, starts_on, target)
+        side = predicted.sides[0, starts_on]
+        heading = -float(side @ plane.across), -float(side @ plane.inward)
+        size = float(np.hypot(*heading))
+        scanned = self._scan(
+            plane, plane.coordinates(target), (heading[0] / size, heading[1] / size), contact
+        )
+        line = self._measured(scanned, plane, tangent, starts_on)
+        if isinstance(line, Stop):
+            return Station(predicted, stop=line)
+        safeguards = self.settings.safeguards
+        point = line.edge_point
+        away = float(np.linalg.norm(point - origin))
+        if safeguards.coasting and away > _FARTHEST * self.settings.amplitude:
+            return Station(predicted, stop=Stop.NO_EDGE)
+        sides = line.rough_sides
+        tangent = edge_tangent(line, before, point, last.frame.origin[0], tangent, self.settings)
+        sides = (1.0 - safeguards.smoothing) * sides + safeguards.smoothing * predicted.sides[0]
+        return Station(frames_from_sides(point[None], tangent[None], sides[None]), line=line)
+
+    def ending(self, last: Station, stop: Stop) -> Stop:  # noqa: ARG002
+        """A line without an edge says itself why."""
+        return stop
+
+    def _line_start(
+        self, before: ProbedLine, predicted: Frames, last: Station
+    ) -> tuple[np.ndarray, np.ndarray | None]:
+        """Where the next line begins, and the contact that already lies there in a zigzag."""
+        settings, tangent = self.settings, predicted.tangent[0]
+        end, here = before.contacts[-1], last.frame.origin[0]
+        ahead = predicted.origin[0] - here
+        reach = end - here
+        along = float(reach @ tangent)
+        reach = reach - along * tangent
+        zigzag = settings.pattern is Pattern.ZIGZAG
+        if settings.safeguards.restore:
+            size = float(np.linalg.norm(reach))
+            reach = reach * min(max(0.5 * settings.amplitude / max(size, 1e-9), 0.7), 1.4)
+            if zigzag:
+                target = here + 0.5 * ahead + reach
+                off = float(np.linalg.norm(target - end))
+                return target, end if off < _DEGENERATED * settings.edge_pitch else None
+            return predicted.origin[0] + reach, None
+        if zigzag:
+            return end, end
+        return predicted.origin[0] + reach, None
+
+    def _plane(
+        self,
+        origin: np.ndarray,
+        tangent: np.ndarray,
+        predicted: Frames,
+        starts_on: int,
+        target: np.ndarray,
+    ) -> ScanPlane:
+        normal = tangent
+        if self.settings.pattern is Pattern.ZIGZAG:
+            way = origin - target
+            way = way / np.sqrt(way @ way)
+            normal = tangent - (tangent @ way) * way  # Schreve eq. 4.2.1.1
+            normal = normal / np.sqrt(normal @ normal)
+        sides = predicted.sides[0]
+        wedge = sides[0] + sides[1]
+        inward = wedge if wedge @ self.settings.approach > 0.0 else -wedge
+        inward = _square_to(inward, normal)
+        across = _cross(normal, inward)
+        if across @ (sides[1 - starts_on] - sides[starts_on]) < 0.0:
+            across = -across
+        return ScanPlane(origin, across, inward)
+
+    def _scan(
+        self,
+        plane: ScanPlane,
+        start: tuple[float, float],
+        heading: tuple[float, float],
+        first: np.ndarray | None = None,
+    ) -> ScannedLine:
+        try:
+            return self.scanner.scan(plane, start, heading, first)
+        except Exception as failure:  # noqa: BLE001 - whatever a driver raises, the scan survives
+            self.failure = failure
+            return ScannedLine(np.zeros((0, 3)), Stop.CMM_FAILED)
+
+    def _measured(
+        self, scanned: ScannedLine, plane: ScanPlane, tangent: np.ndarray, starts_on: int
+    ) -> ProbedLine | Stop:
+        literal = not self.settings.safeguards.coasting
+        if scanned.stop is not None and (literal or len(scanned.contacts) < 5):
+            return scanned.stop
+        line = measure_line(
+            scanned.contacts, plane.origin, tangent, plane.across, starts_on, self.settings
+        )
+        if isinstance(line, Stop):
+            return scanned.stop or line
+        return line
+
+
+def _square_to(vector: np.ndarray, normal: np.ndarray) -> np.ndarray:
+    """Unit vector of what of a vector is square to a unit normal."""
+    part = vector - (vector @ normal) * normal
+    return part / np.sqrt(part @ part)
+
+
+def _cross(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    return np.array(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )

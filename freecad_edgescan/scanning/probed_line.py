@@ -1,0 +1,217 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What was touched on one line across an edge: its two sections and where they meet.
+
+A line is brought into a plane, split at the point farthest from its chord, cleaned of what was
+touched on a rounding, and each section is fitted by a polynomial of low degree (Schreve 4.3).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry.polynomial_curve import PolynomialCurve, fit_polynomial, meeting_parameters
+from .probe_settings import ProbeSettings
+from .stop import Stop
+
+__all__ = ["LineSection", "ProbedLine", "measure_line"]
+
+
+@dataclass(frozen=True)
+class LineSection:
+    """The part of a line on one side of the edge.
+
+    Attributes
+    ----------
+    contacts : (n,) index of its contacts in the line, from far away towards the edge
+    points : (n, 2) the same in the line's plane, mm
+    kept : (n,) False where a point was cleaned away
+    curve : through the kept points; its parameter is 1 at the one nearest the edge
+    """
+
+    contacts: np.ndarray
+    points: np.ndarray
+    kept: np.ndarray
+    curve: PolynomialCurve
+
+
+@dataclass(frozen=True)
+class ProbedLine:
+    """A line across the edge.
+
+    Attributes
+    ----------
+    contacts : (n, 3) mm, in the order of travel
+    origin, axes : (3,) mm and (2, 3) unit vectors: the plane its points were brought into
+    ruling : (3,) unit vector along which they were moved there
+    drift : along the ruling: a + b·x where the line really ran, mm
+    sections : on the two surfaces of the edge, always in the same order
+    meeting : parameters of the two curves where they meet
+    ends_on : which of the two surfaces the line ended on
+    """
+
+    contacts: np.ndarray
+    origin: np.ndarray
+    axes: np.ndarray
+    ruling: np.ndarray
+    drift: tuple[float, float]
+    sections: tuple[LineSection, LineSection]
+    meeting: tuple[float, float]
+    ends_on: int
+
+    def place(self, xy: np.ndarray) -> np.ndarray:
+        """Points (…, 3) mm where the line ran, at coordinates (…, 2) of the plane."""
+        along = self.drift[0] + self.drift[1] * xy[..., 0]
+        return self.origin + xy @ self.axes + along[..., None] * self.ruling
+
+    @property
+    def edge_point(self) -> np.ndarray:
+        """Where the two curves meet, (3,) mm; the probe radius is not taken off."""
+        return self.place(self.sections[0].curve.at(self.meeting[0]))
+
+    @property
+    def rough_sides(self) -> np.ndarray:
+        """Unit vectors along the two sections at their ends near the edge, away from it, (2, 3)."""
+        ways = np.array([-s.curve.derivative(1.0) for s in self.sections]) @ self.axes
+        return ways / np.linalg.norm(ways, axis=1, keepdims=True)
+
+    def end(self, k: int) -> np.ndarray:
+        """The end of section k nearest the edge, (3,) mm, on its curve."""
+        return self.place(self.sections[k].curve.at(1.0))
+
+
+def measure_line(
+    contacts: np.ndarray,
+    origin: np.ndarray,
+    tangent: np.ndarray,
+    across: np.ndarray,
+    starts_on: int,
+    settings: ProbeSettings,
+) -> ProbedLine | Stop:
+    """Find the edge on a scanned line.
+
+    Parameters
+    ----------
+    contacts : (n, 3) mm
+    origin : (3,) mm, near the edge
+    tangent : (3,) unit vector, along the edge as far as it is known
+    across : (3,) unit vector in the direction of travel
+    starts_on : which of the two surfaces the line begins on
+
+    Returns
+    -------
+    the line, or why it shows no edge
+    """
+    if len(contacts) < 5:
+        return Stop.TOO_FEW_POINTS
+    if settings.safeguards.slide:
+        normal = tangent
+    else:
+        origin = contacts.mean(axis=0)
+        normal = np.linalg.svd(contacts - origin, full_matrices=False)[2][2]
+    x = across - (across @ normal) * normal
+    x = x / np.sqrt(x @ x)
+    y = np.array(
+        [
+            normal[1] * x[2] - normal[2] * x[1],
+            normal[2] * x[0] - normal[0] * x[2],
+            normal[0] * x[1] - normal[1] * x[0],
+        ]
+    )
+    axes = np.array([x, y])
+    offset = contacts - origin
+    points = offset @ axes.T
+    split = _farthest_from_chord(points)
+    order = np.arange(len(points))
+    parts = [order[:split], order[:split:-1]]
+    sections = []
+    for part in parts:
+        section = _section(part, points[part], settings)
+        if section is None:
+            return Stop.TOO_FEW_POINTS
+        sections.append(section)
+    if starts_on == 1:
+        sections.reverse()
+    first, second = sections
+    met = meeting_parameters(first.curve, second.curve)
+    if met is None:
+        return Stop.NO_EDGE
+    drift = _drift(points[:, 0], offset @ normal) if settings.safeguards.slide else (0.0, 0.0)
+    return ProbedLine(contacts, origin, axes, normal, drift, (first, second), met, 1 - starts_on)
+
+
+def _farthest_from_chord(points: np.ndarray) -> int:
+    """Where to split a line (Schreve 4.3.2); that point is used no more."""
+    chord = points[-1] - points[0]
+    offset = points - points[0]
+    off = np.abs(offset[:, 0] * chord[1] - offset[:, 1] * chord[0])
+    return int(off.argmax())
+
+
+def _drift(x: np.ndarray, along: np.ndarray) -> tuple[float, float]:
+    """Straight line through how far along the edge the points of a line lie."""
+    middle = x.sum() / len(x)
+    spread = x - middle
+    slope = float(spread @ along) / max(float(spread @ spread), 1e-300)
+    return float(along.sum() / len(x) - slope * middle), slope
+
+
+def _section(order: np.ndarray, points: np.ndarray, settings: ProbeSettings) -> LineSection | None:
+    """Clean one section and fit its curve; None when too few points are left."""
+    safeguards, tolerance = settings.safeguards, settings.tolerance
+    if len(points) < 2:
+        return None
+    degree = min(settings.degree, len(points) - 1)  # Schreve 4.7.3
+    quadratic = safeguards.quadratic_cleaning and degree == 1 and len(points) > 3
+    curve, near = clean(points, 2 if quadratic else degree, tolerance, safeguards.spare_points)
+    far = 0
+    if quadratic:
+        curve, u = fit_polynomial(points[:near], 1)
+        if safeguards.near_points:
+            while near - far > 3 and not _within(curve, points[far:near], u, tolerance):
+                far += 1
+                curve, u = fit_polynomial(points[far:near], 1)
+    kept = np.zeros(len(points), dtype=bool)
+    kept[far:near] = True
+    return LineSection(order, points, kept, curve)
+
+
+def clean(
+    points: np.ndarray, degree: int, tolerance: float, spare: bool = False
+) -> tuple[PolynomialCurve, int]:
+    """Give up points from the edge's end until the rest lies within the tolerance (Schreve 4.3.3).
+
+    Parameters
+    ----------
+    points : (n, 2) mm, the last one nearest the edge; n > degree
+    degree : of the curve
+    tolerance : mm
+    spare : when even the last points do not hold the tolerance, to take those points instead
+        after which giving up more did not make the curve fit better
+
+    Returns
+    -------
+    the curve, and how many of the points are kept
+    """
+    count, best = len(points), None
+    while True:
+        curve, u = fit_polynomial(points[:count], degree)
+        off = curve.at(curve.closest(points[:count], u)) - points[:count]
+        worst = float(np.einsum("ni,ni->n", off, off).max())
+        if worst <= tolerance**2:
+            return curve, count
+        if spare:
+            freedom = count - degree - 1
+            if freedom > 0:
+                scatter = float(np.einsum("ni,ni->", off, off)) / freedom
+                if best is None or scatter < 0.7 * best[0]:
+                    best = scatter, curve, count
+        if count == degree + 1:
+            return (curve, count) if best is None else best[1:]
+        count -= 1
+
+
+def _within(curve: PolynomialCurve, points: np.ndarray, u: np.ndarray, tolerance: float) -> bool:
+    off = curve.at(curve.closest(points, u)) - points
+    return bool(np.einsum("ni,ni->n", off, off).max() <= tolerance**2)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a probed scan does beyond the algorithm as printed, each measure by its name."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+__all__ = ["Safeguards"]
+
+
+@dataclass(frozen=True)
+class Safeguards:
+    """Measures that keep a probed scan on its edge; `Safeguards.none()` is the printed algorithm.
+
+    Attributes
+    ----------
+    slide : points are moved along the edge's tangent into the plane across the edge, instead of
+        square to the plane that fits them best; along the tangent a surface does not change
+    quadratic_cleaning : the points on a rounding are found with a quadratic, also where a line is
+        fitted afterwards; on a curved side a line would give up good points
+    near_points : a line that does not hold the tolerance gives up its points far from the edge,
+        where the surface has bent away, instead of those near it
+    spare_points : points a section keeps when the tolerance is below the noise; cleaning to the
+        last point would leave a curve through noise
+    smoothing : share of the last tangent and sides in the new ones, 0 … 1
+    largest_turn : of the tangent between two lines, rad
+    coasting : lines without an edge point in sequence that are passed over
+    step_on : a point touched twice is passed over in a longer step
+    feel_round : where nothing is touched the probe is led round the edge in small turns, instead
+        of once across half the search distance
+    restore : each line begins half an amplitude from the edge, and a zigzag half an edge pitch
+        ahead, instead of wherever the line before has ended (Schreve figures 4.5 and 4.14)
+    """
+
+    slide: bool = True
+    quadratic_cleaning: bool = True
+    near_points: bool = True
+    spare_points: bool = True
+    smoothing: float = 0.5
+    largest_turn: float = float(np.radians(15.0))
+    coasting: int = 3
+    step_on: bool = True
+    feel_round: bool = True
+    restore: bool = True
+
+    @classmethod
+    def none(cls) -> Safeguards:
+        """The algorithm as printed."""
+        return cls(False, False, False, False, 0.0, np.pi, 0, False, False, False)
