@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One row of the experiments: make the object's cloud, scan it in every pattern and degree.
+
+What counts as completed: the gate was passed, no edge point lies farther than half the amplitude
+from the true edge, and at least 80 % of the expected edge points exist.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..cloud import SimulatedCloud
+from ..scanning import Gate, ScannedEdge, ScanParameters, Start, Stop, scan_edge
+from .doe_design import Trial
+from .doe_result import PATCH, DoeRun, Group
+
+__all__ = ["RowTask", "edge_errors", "failed_runs", "scan_row", "scan_trial", "trial_cloud"]
+
+FEWEST_POINTS = 0.8  # of the expected number, in a completed run
+FAILED = "ERROR"  # in place of a stop's name
+
+
+@dataclass(frozen=True)
+class RowTask:
+    """What to scan on one object.
+
+    Attributes
+    ----------
+    trial : the row of the design
+    groups : patterns and degrees
+    method : probe or patch
+    seed : of the noise, together with experiment and test
+    literal : whether the algorithm is taken as printed
+    overrides : values of ``ScanParameters`` that replace the design's
+    """
+
+    trial: Trial
+    groups: tuple[Group, ...]
+    method: str = "probe"
+    seed: int = 0
+    literal: bool = False
+    overrides: Mapping[str, Any] = field(default_factory=dict)
+
+
+def scan_row(task: RowTask) -> tuple[DoeRun, ...]:
+    """All scans of one object, on one cloud; a scan that raises is a failed run with its text."""
+    cloud = trial_cloud(task.trial, task.seed)
+    return tuple(_run(task, group, cloud) for group in task.groups)
+
+
+def failed_runs(task: RowTask, text: str) -> tuple[DoeRun, ...]:
+    """The runs of an object that could not be scanned at all."""
+    return tuple(_failed(task.trial, group, text) for group in task.groups)
+
+
+def trial_cloud(trial: Trial, seed: int, amplitude: float | None = None) -> SimulatedCloud:
+    """The cloud of an object, for scans of the design's amplitude or another one."""
+    return trial.object.cloud(
+        trial.cloud_pitch,
+        amplitude or trial.amplitude,
+        trial.noise,
+        seed=[seed, trial.experiment, trial.test],
+    )
+
+
+def scan_trial(
+    trial: Trial,
+    cloud: SimulatedCloud,
+    group: Group,
+    method: str = "probe",
+    literal: bool = False,
+    overrides: Mapping[str, Any] | None = None,
+) -> ScannedEdge:
+    """Scan an object's edge from azimuth 0.1 to π - 0.1 with the parameters of the design.
+
+    Raises
+    ------
+    ScanError: there is nothing to scan, or the parameters cannot work.
+    """
+    values: dict[str, Any] = {"amplitude": trial.amplitude, "edge_pitch": trial.edge_pitch}
+    if method != PATCH[0]:
+        values["pattern"], values["degree"] = group
+        values |= {
+            "line_pitch": trial.line_pitch,
+            "tolerance": trial.tolerance,
+            "cloud_pitch": trial.cloud_pitch,
+        }
+    make = ScanParameters.literal if literal else ScanParameters
+    return scan_edge(
+        cloud,
+        at=Start(*trial.object.start(trial.amplitude)),
+        gate=Gate(*trial.object.gate(trial.amplitude)),
+        parameters=make(**values | dict(overrides or {})),
+        method=method,
+    )
+
+
+def edge_errors(trial: Trial, points: ArrayLike) -> NDArray[np.float64]:
+    """Distance of edge points (m, 3) to the circle of the true edge, (m,) mm."""
+    x, y, z = np.asarray(points, dtype=np.float64).T
+    return np.hypot(np.hypot(x, y) - trial.edge_radius, z + trial.section_radius)
+
+
+def _run(task: RowTask, group: Group, cloud: SimulatedCloud) -> DoeRun:
+    trial = task.trial
+    try:
+        edge = scan_trial(trial, cloud, group, task.method, task.literal, task.overrides)
+    except Exception as error:  # whatever it is, the other runs go on, and its text is kept
+        return _failed(trial, group, str(error) or type(error).__name__)
+    errors = edge_errors(trial, edge.points) if len(edge) else np.array([np.nan])
+    amplitude = edge.parameters.amplitude or trial.amplitude
+    completed = (
+        edge.stops[1] == Stop.GATE
+        and errors.max() <= amplitude / 2
+        and len(edge) >= FEWEST_POINTS * trial.nominal_points
+    )
+    return DoeRun(
+        *_place(trial, group),
+        avg_error=float(errors.mean()),
+        max_error=float(errors.max()),
+        points=len(edge),
+        completed=bool(completed),
+        stop=edge.stops[1].name,
+        message=edge.message,
+    )
+
+
+def _failed(trial: Trial, group: Group, text: str) -> DoeRun:
+    return DoeRun(*_place(trial, group), np.nan, np.nan, 0, False, FAILED, text)
+
+
+def _place(trial: Trial, group: Group) -> tuple[int, int, str, int]:
+    return trial.experiment, trial.test, *group
+
+
+def all_groups(
+    patterns: tuple[str, ...], degrees: tuple[int, ...], method: str
+) -> tuple[Group, ...]:
+    """Patterns and degrees to scan in: the patch method has one way only."""
+    return (PATCH,) if method == PATCH[0] else tuple(itertools.product(patterns, degrees))
