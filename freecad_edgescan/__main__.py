@@ -147,6 +147,12 @@ def _accuracy(options: argparse.Namespace) -> int:
     return 0
 
 
+def _doe(options: argparse.Namespace) -> int:
+    from freecad_edgescan.doe_command import scan_experiments
+
+    return scan_experiments(options)
+
+
 def _demo(options: argparse.Namespace) -> int:
     from freecad_edgescan.document.demo import make_demo
 
@@ -165,6 +171,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "info": _info,
     "bench": _bench,
     "accuracy": _accuracy,
+    "doe": _doe,
     "demo": _demo,
 }
 

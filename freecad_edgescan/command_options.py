@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
+from freecad_edgescan.doe_options import DOE_TEXT, add_doe_options
 from freecad_edgescan.file_unit import UNITS
 
 __all__ = ["read_options"]
@@ -128,6 +129,8 @@ def _parser() -> argparse.ArgumentParser:
     accuracy.add_argument(
         "--seed", type=_whole_number, default=0, metavar="N", help="of the random numbers"
     )
+
+    add_doe_options(_add_command(commands, "doe", "the published experiments, again", DOE_TEXT))
 
     demo = _add_command(commands, "demo", "scan the edges of a simulated core box, sweep and loft")
     demo.add_argument(

@@ -11,9 +11,10 @@ __all__ = ["PICTURES", "check_not_the_scan", "check_output"]
 PICTURES = (".png", ".svg", ".pdf", ".jpg")
 
 
-def check_output(path: Path, endings: Sequence[str], scan: str) -> None:
+def check_output(path: Path, endings: Sequence[str], scan: str | None = None) -> None:
     """Refuse a file that cannot be written, or not in that format, or is the scan."""
-    check_not_the_scan(path, scan)
+    if scan is not None:
+        check_not_the_scan(path, scan)
     if path.suffix.lower() not in endings:
         raise ValueError(f"{path} has an unknown ending; use one of {' '.join(endings)}.")
     if not path.parent.is_dir():

@@ -8,15 +8,15 @@ of the edge pitch by chord height is off. Equal seeds give equal results, whatev
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import fields
+from dataclasses import fields, replace
 from typing import Any
 
 from ..scanning import Progress, ScanParameters
 from .doe_design import EXPERIMENTS, TESTS, trial
 from .doe_result import PATCH, DoeResult, DoeRun
-from .doe_scan import RowTask, all_groups, failed_runs, scan_row
-from .processes import Failure, map_in_processes
+from .doe_scan import RowTask, scan_rows
 
 __all__ = ["run_doe"]
 
@@ -65,36 +65,24 @@ def run_doe(
     _check("degree", degrees, _DEGREES)
     _check("method", [method], _METHODS)
     _check("overridden parameter", overrides or (), [each.name for each in fields(ScanParameters)])
+    if seed < 0:
+        raise ValueError(f"The seed is {seed}; give 0 or more.")
     if jobs < 1:
         raise ValueError(f"There are {jobs} jobs; give 1 or more.")
     if literal and method == PATCH[0]:
         raise ValueError("The algorithm as printed is a probed scan; leave literal or patch out.")
-    groups = all_groups(tuple(patterns), tuple(degrees), method)
+    groups = (PATCH,) if method == PATCH[0] else tuple(itertools.product(patterns, degrees))
     tasks = [
         RowTask(trial(experiment, test), groups, method, seed, literal, dict(overrides or {}))
         for experiment in sorted(set(experiments))
         for test in sorted(set(tests))
     ]
-    rows: dict[int, tuple[DoeRun, ...]] = {}
-    work = map_in_processes(scan_row, tasks, jobs)
-    try:
-        for news in work:
-            if news is not None:
-                number, row = news
-                if isinstance(row, Failure):
-                    row = failed_runs(tasks[number], row.text)
-                rows[number] = row
-            if progress and not progress.update(len(rows) / len(tasks), _result(rows, seed)):
-                break
-    finally:
-        work.close()
-    return _result(rows, seed, cancelled=len(rows) < len(tasks))
+    rows = scan_rows(tasks, jobs, progress, describe=lambda rows: _result(rows, seed))
+    return replace(_result(rows, seed), cancelled=len(rows) < len(tasks))
 
 
-def _result(
-    rows: Mapping[int, tuple[DoeRun, ...]], seed: int, cancelled: bool = False
-) -> DoeResult:
-    return DoeResult(tuple(run for number in sorted(rows) for run in rows[number]), seed, cancelled)
+def _result(rows: Mapping[int, tuple[DoeRun, ...]], seed: int) -> DoeResult:
+    return DoeResult(tuple(run for number in sorted(rows) for run in rows[number]), seed)
 
 
 def _check(name: str, given: Collection[Any], known: Collection[Any]) -> None:

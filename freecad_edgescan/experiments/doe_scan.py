@@ -7,8 +7,7 @@ from the true edge, and at least 80 % of the expected edge points exist.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -16,11 +15,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import SimulatedCloud
-from ..scanning import Gate, ScannedEdge, ScanParameters, Start, Stop, scan_edge
+from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start, Stop, scan_edge
 from .doe_design import Trial
 from .doe_result import PATCH, DoeRun, Group
+from .processes import Failure, map_in_processes
 
-__all__ = ["RowTask", "edge_errors", "failed_runs", "scan_row", "scan_trial", "trial_cloud"]
+__all__ = ["RowTask", "edge_errors", "scan_row", "scan_rows", "scan_trial", "trial_cloud"]
+
+Row = tuple[DoeRun, ...]
 
 FEWEST_POINTS = 0.8  # of the expected number, in a completed run
 FAILED = "ERROR"  # in place of a stop's name
@@ -48,13 +50,47 @@ class RowTask:
     overrides: Mapping[str, Any] = field(default_factory=dict)
 
 
-def scan_row(task: RowTask) -> tuple[DoeRun, ...]:
+def scan_row(task: RowTask) -> Row:
     """All scans of one object, on one cloud; a scan that raises is a failed run with its text."""
     cloud = trial_cloud(task.trial, task.seed)
     return tuple(_run(task, group, cloud) for group in task.groups)
 
 
-def failed_runs(task: RowTask, text: str) -> tuple[DoeRun, ...]:
+def _count(rows: Mapping[int, Row]) -> str:
+    return f"{len(rows)} objects scanned"
+
+
+def scan_rows(
+    tasks: Sequence[RowTask],
+    jobs: int,
+    progress: Progress | None,
+    describe: Callable[[Mapping[int, Row]], object] = _count,
+) -> dict[int, Row]:
+    """The runs of each task by its number; without those that are missing when cancelled.
+
+    Parameters
+    ----------
+    tasks : objects to scan
+    jobs : number of processes
+    progress : told the share of objects done and what `describe` makes of their runs
+    """
+    rows: dict[int, Row] = {}
+    work = map_in_processes(scan_row, tasks, jobs)
+    try:
+        for news in work:
+            if news is not None:
+                number, row = news
+                if isinstance(row, Failure):
+                    row = failed_runs(tasks[number], row.text)
+                rows[number] = row
+            if progress and not progress.update(len(rows) / len(tasks), describe(rows)):
+                break
+    finally:
+        work.close()
+    return rows
+
+
+def failed_runs(task: RowTask, text: str) -> Row:
     """The runs of an object that could not be scanned at all."""
     return tuple(_failed(task.trial, group, text) for group in task.groups)
 
@@ -137,10 +173,3 @@ def _failed(trial: Trial, group: Group, text: str) -> DoeRun:
 
 def _place(trial: Trial, group: Group) -> tuple[int, int, str, int]:
     return trial.experiment, trial.test, *group
-
-
-def all_groups(
-    patterns: tuple[str, ...], degrees: tuple[int, ...], method: str
-) -> tuple[Group, ...]:
-    """Patterns and degrees to scan in: the patch method has one way only."""
-    return (PATCH,) if method == PATCH[0] else tuple(itertools.product(patterns, degrees))
