@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Iterable
 from pathlib import Path
 
 from freecad_edgescan.experiments import run_doe
@@ -29,18 +28,17 @@ def scan_experiments(options: argparse.Namespace) -> int:
     results, code = _run(options)
     if not any(results):
         return code
-    written = [options.csv]  # before anything is printed: its reader may go away
-    write_csv(results, options.csv)
-    if options.plot:
-        written += _plot(options.plot, results)
+    write_csv(results, options.csv)  # before anything is printed: its reader may go away
+    drawn = _plot(options.plot, results[0]) if options.plot else []
     if len(results) == 1:
         print(results[0].summary())
     else:
         for result in results:
             print(f"Seed {result.seed}\n{comparison_table(result)}\n")
         print(seeds_table(results))
-    for path in written:
-        print(f"Wrote {path}")
+    print(f"Wrote {options.csv}")
+    if drawn:
+        print(f"Wrote {len(drawn)} files into {options.plot}: {drawn[0].name} and so on")
     return code
 
 
@@ -78,11 +76,11 @@ def _run(options: argparse.Namespace) -> tuple[list[DoeResult], int]:
     return results, 0
 
 
-def _plot(folder: Path, results: Iterable[DoeResult]) -> Iterable[Path]:
+def _plot(folder: Path, result: DoeResult) -> list[Path]:
     from freecad_edgescan.experiments.doe_pictures import draw_doe
 
     folder.mkdir(parents=True, exist_ok=True)
-    return [path for result in list(results)[:1] for path in draw_doe(result, folder)]
+    return draw_doe(result, folder)
 
 
 def _check_plot(folder: Path | None) -> None:

@@ -64,7 +64,7 @@ class Curves:
         """The numbers as text, one row for each x of any curve."""
         places = np.unique(np.concatenate([curve.x for curve in self.curves]))
         step = int(np.ceil(len(places) / _MOST_ROWS))
-        widths = [max(9, len(curve.name) + 2) for curve in self.curves]
+        widths = [max(11, len(curve.name) + 2) for curve in self.curves]
         cells = [curve.name.rjust(width) for curve, width in zip(self.curves, widths, strict=True)]
         lines = [self.title, f"{self.x_label} | {self.y_label}", " " * 9 + "".join(cells)]
         for x in places[::step]:

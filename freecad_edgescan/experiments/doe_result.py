@@ -51,8 +51,9 @@ class DoeRun:
 
     @property
     def name(self) -> str:
-        """The run as the published text names it, such as 5Z2.11."""
-        return f"{self.experiment}{group_name(self.group)}.{self.test}"
+        """The run as the published text names it, such as 5Z2.11; 5P.11 of the patch method."""
+        group = "P" if self.group == PATCH else group_name(self.group)
+        return f"{self.experiment}{group}.{self.test}"
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from ..scanning import Progress
 from .doe_curves import Curve, Curves
 from .doe_design import Trial
 from .doe_scan import RowTask, scan_rows
-from .model_figures import model_curve
+from .model_figures import Shape, model_errors
 
 __all__ = ["noise_figure", "pattern_figure", "printed_trial"]
 
@@ -102,13 +102,7 @@ def _figure(
 
 
 def _model(degree: int) -> Curve:
-    trial = printed_trial(0.1, min(TOLERANCES))
-    return model_curve(
-        "analytical",
-        degree,
-        np.array(_SHARES[degree]),
-        trial.section_radius,
-        float(np.degrees(trial.angle)),
-        trial.fillet_radius,
-        trial.probe_radius,
-    )
+    trial, shares = printed_trial(0.1, min(TOLERANCES)), np.array(_SHARES[degree])
+    shape = Shape(trial.section_radius, trial.angle, trial.fillet_radius, trial.probe_radius)
+    arcs = shares * (trial.section_radius - trial.probe_radius)
+    return Curve.of("analytical", shares, model_errors(degree, arcs, shape))
