@@ -92,7 +92,7 @@ def draw_curves(figures: Sequence[Curves], path: str | Path) -> None:
         if curves.logarithmic:
             axes.set_yscale("log")
         else:
-            axes.set_ylim(bottom=0.0)
+            axes.set_ylim(0.0, 1.08 * axes.get_ylim()[1])
         axes.set(title=curves.title, xlabel=curves.x_label, ylabel=curves.y_label)
         axes.grid(True, color="0.9")
         axes.legend(frameon=False)
