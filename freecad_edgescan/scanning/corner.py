@@ -54,6 +54,12 @@ def across_axes(normals: np.ndarray) -> np.ndarray:
     return axes / np.maximum(np.linalg.norm(axes, axis=-1, keepdims=True), 1e-300)
 
 
+def turned_covariance(covariance: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
+    """Covariance from the axes of one pair of normals (m, 2, 3) to those of another."""
+    turn = np.einsum("mai,mbi->mab", across_axes(after), across_axes(before))
+    return np.einsum("mab,mbc,mdc->mad", turn, covariance, turn)
+
+
 def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) -> Corners:
     """Intersect the two sides of each section.
 

@@ -8,9 +8,9 @@ straight line, in the scanning plane.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import atan2, ceil, cos, hypot, sin
+from math import atan2, ceil, cos, hypot, pi, sin
 
 import numpy as np
 
@@ -25,7 +25,9 @@ _MOST_POINTS = 4.0  # times as many as fit on a line of one amplitude
 _SAME_POINT = 1e-6  # line pitches
 _LEAST_PROGRESS = 0.1  # line pitches, towards the target
 _LONGER_STEPS = (2.0, 3.0)  # line pitches, tried after a point that was touched twice
+_NEAR = 0.25  # amplitudes from its target, where a collision is as good as a touch
 _ROUND_TURNS = (0.6, 1.2, 1.8)  # rad, tried round an edge behind which nothing was touched
+_LEAST_TURN = 0.3  # rad, to the surface behind the edge: below it the probe is there already
 
 
 @dataclass(frozen=True)
@@ -51,6 +53,12 @@ class ScanPlane:
         offset = point - self.origin
         return float(offset @ self.across), float(offset @ self.inward)
 
+    def direction(self, vector: np.ndarray) -> tuple[float, float]:
+        """Unit coordinates of a direction, moved into the plane."""
+        x, y = float(vector @ self.across), float(vector @ self.inward)
+        size = hypot(x, y)
+        return x / size, y / size
+
 
 @dataclass(frozen=True)
 class ScannedLine:
@@ -60,7 +68,7 @@ class ScannedLine:
     stop: Stop | None
 
 
-class _Halted(Exception):  # noqa: N818 - the end of a line is no error
+class _Halted(Exception):
     """No further contact on this line."""
 
     def __init__(self, stop: Stop) -> None:
@@ -87,6 +95,7 @@ class LineScanner:
         start: tuple[float, float],
         heading: tuple[float, float],
         first: np.ndarray | None = None,
+        onward: tuple[float, float] | None = None,
     ) -> ScannedLine:
         """Scan a line until it is one amplitude long, with half of it behind the edge.
 
@@ -96,8 +105,9 @@ class LineScanner:
         start : coordinates in the plane of the first target, which is touched along y
         heading : unit direction in the plane from the first contact to the second
         first : (3,) mm, a contact that is already there and begins the line
+        onward : unit direction in the plane of the surface behind the edge, where it is known
         """
-        line = _Line(plane)
+        line = _Line(plane, onward)
         try:
             if first is None:
                 first = self._first(plane, start)
@@ -115,10 +125,13 @@ class LineScanner:
 
     def _first(self, plane: ScanPlane, start: tuple[float, float]) -> np.ndarray:
         contact, collided = self._touch(plane, *start, 0.0, 1.0)
-        if collided:
-            raise _Halted(Stop.COLLISION)
         if contact is None:
             raise _Halted(Stop.OFF_OBJECT)
+        if collided:
+            away = float(np.linalg.norm(contact - plane.place(*start)))
+            allowed = self.settings.safeguards.near_collisions
+            if not allowed or away > _NEAR * self.settings.amplitude:
+                raise _Halted(Stop.COLLISION)
         return contact
 
     def _second(self, line: _Line, heading: tuple[float, float]) -> None:
@@ -166,7 +179,12 @@ class LineScanner:
             contact, _ = self._touch(line.plane, x + 0.5 * ex, y + 0.5 * ey, -ey / size, ex / size)
             return contact
         angle, pitch = atan2(line.heading[1], line.heading[0]), self.settings.line_pitch
-        for turn in _ROUND_TURNS:
+        turns: Sequence[float] = _ROUND_TURNS
+        if line.onward is not None:
+            left = (atan2(line.onward[1], line.onward[0]) - angle) % (2.0 * pi)
+            # Behind the edge there is nothing to feel round for: the part ends here.
+            turns = (0.5 * left, left) if _LEAST_TURN < left < pi else ()
+        for turn in turns:
             ux, uy = cos(angle + turn), sin(angle + turn)
             contact, _ = self._touch(line.plane, x + pitch * ux, y + pitch * uy, -uy, ux)
             if contact is not None and line.gap_to(contact) < self.settings.amplitude:
@@ -228,8 +246,8 @@ class LineScanner:
 class _Line:
     """A line being scanned: its contacts, in space and in its plane."""
 
-    def __init__(self, plane: ScanPlane) -> None:
-        self.plane = plane
+    def __init__(self, plane: ScanPlane, onward: tuple[float, float] | None) -> None:
+        self.plane, self.onward = plane, onward
         self.contacts: list[np.ndarray] = []
         self.xy: list[tuple[float, float]] = []
         self.length = 0.0

@@ -10,7 +10,8 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .air import convex_by_approach, convex_by_rounding
 from .automatic import Chosen
-from .corner import across_axes
+from .corner import turned_covariance
+from .edge_gate import EdgeGate, until
 from .edge_path import path_along
 from .edge_points import Measured, measure_together
 from .fillet import rounding_radius
@@ -19,7 +20,7 @@ from .scanned_edge import ScannedEdge
 from .section import SectionPoints, frames_from_sides
 from .side_fit import SideFits
 from .stop import Stop
-from .trace import EdgeGate, Trace
+from .trace import Trace
 
 # Times the usual, where an end of an edge is not believed.
 _MOST_SCATTER = 4.5
@@ -54,7 +55,7 @@ def finish_edge(
     if not trace.closed:
         measured = _without_unsupported_ends(measured, trace.stops, settings.cloud_pitch)
     if arrived is not None and trace.stops[1] is Stop.GATE:
-        measured = select_sections(measured, _until(arrived, measured.corners().point))
+        measured = select_sections(measured, until(arrived, measured.corners().point))
     frames = measured.frames
     seen = measured.corners()
     rounding, rounding_sigma = rounding_radius(
@@ -80,7 +81,7 @@ def finish_edge(
         normals=normals,
         angle=np.pi - standing.turn,
         convex=convex,
-        covariance=_turned_covariance(edge.covariance, frames.normals, normals),
+        covariance=turned_covariance(edge.covariance, frames.normals, normals),
         fillet_radius=fillet,
         fillet_sigma=sigma,
         supported=measured.supplied & edge.found,
@@ -117,20 +118,6 @@ def _fillet(
     radius = rounding - probe if convex else rounding + probe
     measurable = radius > 3.0 * sigma
     return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)
-
-
-def _turned_covariance(covariance: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
-    """Covariance from the axes of one pair of normals (m, 2, 3) to those of another."""
-    turn = np.einsum("mai,mbi->mab", across_axes(after), across_axes(before))
-    return np.einsum("mab,mbc,mdc->mad", turn, covariance, turn)
-
-
-def _until(arrived: EdgeGate, points: np.ndarray) -> slice:
-    """The sections up to a gate."""
-    for j in range(1, len(points)):
-        if arrived(points[j - 1], points[j]):
-            return slice(0, j + 1 if arrived.passes else j)
-    return slice(0, len(points))
 
 
 def _without_unsupported_ends(

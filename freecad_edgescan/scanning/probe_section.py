@@ -22,6 +22,7 @@ from .stop import Stop
 __all__ = ["ProbeSection"]
 
 _DEGENERATED = 0.25  # edge pitches a zigzag's turning point may be off before it is laid anew
+_LARGEST_LEAN = 0.7  # rad, of a side against the side it was before
 _FARTHEST = 0.5  # amplitudes an edge point may lie from where it was predicted
 
 
@@ -56,7 +57,7 @@ class ProbeSection:
         frame = frames_from_sides(line.edge_point[None], tangent[None], line.rough_sides[None])
         return Station(frame, line=line)
 
-    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:  # noqa: ARG002
+    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
         """Scan the next line, towards a predicted edge point."""
         before = last.line
         if before is None:
@@ -65,11 +66,13 @@ class ProbeSection:
         origin, tangent = predicted.origin[0], predicted.tangent[0]
         target, contact = self._line_start(before, predicted, last)
         plane = self._plane(origin, tangent, predicted, starts_on, target)
-        side = predicted.sides[0, starts_on]
-        heading = -float(side @ plane.across), -float(side @ plane.inward)
-        size = float(np.hypot(*heading))
+        sides = predicted.sides[0]
         scanned = self._scan(
-            plane, plane.coordinates(target), (heading[0] / size, heading[1] / size), contact
+            plane,
+            plane.coordinates(target),
+            plane.direction(-sides[starts_on]),
+            contact,
+            plane.direction(sides[1 - starts_on]),
         )
         line = self._measured(scanned, plane, tangent, starts_on)
         if isinstance(line, Stop):
@@ -77,14 +80,17 @@ class ProbeSection:
         safeguards = self.settings.safeguards
         point = line.edge_point
         away = float(np.linalg.norm(point - origin))
-        if safeguards.coasting and away > _FARTHEST * self.settings.amplitude:
-            return Station(predicted, stop=Stop.NO_EDGE)
         sides = line.rough_sides
+        agree = np.einsum("ki,ki->k", sides, predicted.sides[0]).min()
+        if safeguards.coasting and (
+            away > _FARTHEST * self.settings.amplitude or agree < np.cos(_LARGEST_LEAN)
+        ):
+            return Station(predicted, stop=Stop.NO_EDGE)
         tangent = edge_tangent(line, before, point, last.frame.origin[0], tangent, self.settings)
         sides = (1.0 - safeguards.smoothing) * sides + safeguards.smoothing * predicted.sides[0]
         return Station(frames_from_sides(point[None], tangent[None], sides[None]), line=line)
 
-    def ending(self, last: Station, stop: Stop) -> Stop:  # noqa: ARG002
+    def ending(self, last: Station, stop: Stop) -> Stop:
         """A line without an edge says itself why."""
         return stop
 
@@ -140,10 +146,11 @@ class ProbeSection:
         start: tuple[float, float],
         heading: tuple[float, float],
         first: np.ndarray | None = None,
+        onward: tuple[float, float] | None = None,
     ) -> ScannedLine:
         try:
-            return self.scanner.scan(plane, start, heading, first)
-        except Exception as failure:  # noqa: BLE001 - whatever a driver raises, the scan survives
+            return self.scanner.scan(plane, start, heading, first, onward)
+        except Exception as failure:
             self.failure = failure
             return ScannedLine(np.zeros((0, 3)), Stop.CMM_FAILED)
 

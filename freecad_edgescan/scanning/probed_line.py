@@ -35,6 +35,14 @@ class LineSection:
     kept: np.ndarray
     curve: PolynomialCurve
 
+    def residuals(self) -> np.ndarray:
+        """Distances of the kept points from the curve, mm, positive to its left."""
+        points = self.points[self.kept]
+        u = self.curve.closest(points, np.linspace(0.0, 1.0, len(points)))
+        way, off = self.curve.derivative(u), points - self.curve.at(u)
+        across = way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0]
+        return np.asarray(across / np.hypot(way[:, 0], way[:, 1]))
+
 
 @dataclass(frozen=True)
 class ProbedLine:
@@ -75,6 +83,12 @@ class ProbedLine:
         """Unit vectors along the two sections at their ends near the edge, away from it, (2, 3)."""
         ways = np.array([-s.curve.derivative(1.0) for s in self.sections]) @ self.axes
         return ways / np.linalg.norm(ways, axis=1, keepdims=True)
+
+    def wedge_side(self, k: int) -> float:
+        """1 when the smaller wedge lies to the left of curve k on its way to the edge, else -1."""
+        way = self.sections[k].curve.derivative(1.0)
+        left = np.array([-way[1], way[0]]) @ self.axes
+        return 1.0 if left @ self.rough_sides[1 - k] > 0.0 else -1.0
 
     def end(self, k: int) -> np.ndarray:
         """The end of section k nearest the edge, (3,) mm, on its curve."""

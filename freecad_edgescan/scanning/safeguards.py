@@ -30,6 +30,8 @@ class Safeguards:
     step_on : a point touched twice is passed over in a longer step
     feel_round : where nothing is touched the probe is led round the edge in small turns, instead
         of once across half the search distance
+    near_collisions : a collision on the way to a line's first point is measured there when it lies
+        near the target; only one far from it means that the scan has lost its way
     restore : each line begins half an amplitude from the edge, and a zigzag half an edge pitch
         ahead, instead of wherever the line before has ended (Schreve figures 4.5 and 4.14)
     """
@@ -43,9 +45,10 @@ class Safeguards:
     coasting: int = 3
     step_on: bool = True
     feel_round: bool = True
+    near_collisions: bool = True
     restore: bool = True
 
     @classmethod
     def none(cls) -> Safeguards:
         """The algorithm as printed."""
-        return cls(False, False, False, False, 0.0, np.pi, 0, False, False, False)
+        return cls(False, False, False, False, 0.0, np.pi, 0, False, False, False, False)

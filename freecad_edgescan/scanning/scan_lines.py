@@ -37,6 +37,19 @@ class ScanLine:
     origin: np.ndarray
 
 
+def upright_axes(normals: np.ndarray, tangent: np.ndarray) -> np.ndarray:
+    """Axes (2, 3) across an edge, the second one upright: out of the smaller wedge.
+
+    Parameters
+    ----------
+    normals : (2, 3) unit vectors of the two sides, out of the smaller wedge
+    tangent : (3,) unit vector
+    """
+    upright = normals.sum(axis=0)
+    upright = upright / np.linalg.norm(upright)
+    return np.array([np.cross(upright, tangent), upright])
+
+
 @dataclass(frozen=True)
 class ScanLines:
     """The sections of a whole edge, with the points of their slabs and their fitted sides."""
@@ -56,7 +69,7 @@ class ScanLines:
         if not -len(self) <= j < len(self):
             raise IndexError(f"There are {len(self)} scan lines; {j} is none of them.")
         j %= len(self)
-        axes = self._axes(j)
+        axes = upright_axes(self.frames.normals[j], self.frames.tangent[j])
         to_plane = axes.T
         mine = np.flatnonzero(self.points.owner == j)
         side, away, height = (
@@ -76,12 +89,6 @@ class ScanLines:
             axes,
             self.frames.origin[j],
         )
-
-    def _axes(self, j: int) -> np.ndarray:
-        """Axes across the edge, the second one upright: out of the smaller wedge."""
-        upright = self.frames.normals[j].sum(axis=0)
-        upright = upright / np.linalg.norm(upright)
-        return np.array([np.cross(upright, self.frames.tangent[j]), upright])
 
     def _curve(self, j: int, k: int) -> np.ndarray:
         """Points of a fitted side from the edge to the end of its support, (40, 3)."""

@@ -18,6 +18,7 @@ from .stop import Stop
 
 if TYPE_CHECKING:
     from ..geometry import BSplineCurve, Circle, Line
+    from .probed_lines import ProbedLines
     from .scan_lines import ScanLines
 
 Vertex = tuple[np.ndarray, np.ndarray]
@@ -48,6 +49,7 @@ class ScannedEdge:
     parameters : the parameters with every automatic value filled in
     reasons : why each automatic value was chosen, by parameter name
     scan_lines : what was touched, for pictures
+    method : "patch" or "probe"
     """
 
     points: np.ndarray
@@ -63,11 +65,12 @@ class ScannedEdge:
     closed: bool
     stops: tuple[Stop, Stop]
     message: str
-    scan_lines: ScanLines
+    scan_lines: ScanLines | ProbedLines
     overhang: np.ndarray = field(default_factory=lambda: np.zeros(0))
     vertices: tuple[Vertex | None, Vertex | None] = (None, None)
     parameters: ScanParameters = field(default_factory=ScanParameters)
     reasons: Mapping[str, str] = field(default_factory=dict)
+    method: str = "patch"
 
     def __len__(self) -> int:
         return len(self.points)

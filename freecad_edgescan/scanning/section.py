@@ -134,6 +134,39 @@ class SectionPoints:
         )
 
 
+def unrolled(
+    frames: Frames, owner: np.ndarray, points: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Take points along the edge's bend into the planes of the sections that own them.
+
+    Parameters
+    ----------
+    owner : (n,) section of each point
+    points : (n, 3) array, mm
+
+    Returns
+    -------
+    along : (n,) mm, arc length along the edge from the section
+    offset : (n, 3) mm, from the section's origin; its part along the tangent is left in
+    before_centre : (n,) bool, False beyond the edge's centre of curvature, where the sections
+        cross each other
+    """
+    bend = np.linalg.norm(frames.bend, axis=1)
+    inward = frames.bend / np.maximum(bend, 1e-300)[:, None]
+    offset = points - frames.origin[owner]
+    ahead = np.einsum("ni,ni->n", offset, frames.tangent[owner])
+    kappa = bend[owner]
+    within = np.einsum("ni,ni->n", offset, inward[owner])
+    to_centre = 1.0 - kappa * within
+    distance = np.hypot(to_centre, kappa * ahead)
+    # Offset across the edge after unrolling it: (1 − distance)/κ, written so that κ → 0 is exact.
+    flat = (2.0 * within - kappa * (within**2 + ahead**2)) / (1.0 + distance)
+    offset = offset + (flat - within)[:, None] * inward[owner]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        along = np.where(kappa > 1e-9, np.arctan2(kappa * ahead, to_centre) / kappa, ahead)
+    return along, offset, to_centre > 0.2
+
+
 def section_points(
     frames: Frames, owner: np.ndarray, index: np.ndarray, points: np.ndarray
 ) -> SectionPoints:
@@ -148,25 +181,13 @@ def section_points(
     index : (n,) index of each point in the cloud
     points : (n, 3) array, mm
     """
-    bend = np.linalg.norm(frames.bend, axis=1)
-    inward = frames.bend / np.maximum(bend, 1e-300)[:, None]
-    offset = points - frames.origin[owner]
-    ahead = np.einsum("ni,ni->n", offset, frames.tangent[owner])
-    kappa = bend[owner]
-    within = np.einsum("ni,ni->n", offset, inward[owner])
-    to_centre = 1.0 - kappa * within
-    distance = np.hypot(to_centre, kappa * ahead)
-    # Offset across the edge after unrolling it: (1 − distance)/κ, written so that κ → 0 is exact.
-    unrolled = (2.0 * within - kappa * (within**2 + ahead**2)) / (1.0 + distance)
-    offset = offset + (unrolled - within)[:, None] * inward[owner]
-    with np.errstate(invalid="ignore", divide="ignore"):
-        along = np.where(kappa > 1e-9, np.arctan2(kappa * ahead, to_centre) / kappa, ahead)
+    along, offset, before_centre = unrolled(frames, owner, points)
     away = np.einsum("nki,ni->nk", frames.sides[owner], offset)
     height = np.einsum("nki,ni->nk", frames.normals[owner], offset)
     side = (away[:, 1] > away[:, 0]).astype(np.int64)
     pick = np.arange(len(side))
     result = SectionPoints(index, owner, along, side, away[pick, side], height[pick, side])
-    return result[to_centre > 0.2]
+    return result[before_centre]
 
 
 @dataclass(frozen=True)

@@ -4,14 +4,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Protocol
-
-import numpy as np
 
 from .gait import Gait, reversed_frame
 from .progress import Progress
 from .section import Section, Station
-from .start import Gate
 from .stop import Stop
 from .walker import Arrived, walk
 
@@ -68,48 +64,3 @@ def trace_both_ways(
 def turned(station: Station) -> Station:
     """The same station, walked the other way."""
     return replace(station, frame=reversed_frame(station.frame))
-
-
-class EdgeGate(Protocol):
-    """Tells from two following edge points whether the walk has arrived."""
-
-    passes: bool
-    """Whether the edge ends with the point behind the gate, not with the one before it."""
-
-    def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
-        """Whether the step from one point to the next arrived."""
-        ...
-
-
-class LineGate:
-    """Ends a walk whose last step crossed a gate."""
-
-    passes = True
-
-    def __init__(self, gate: Gate, amplitude: float, approach: np.ndarray | None) -> None:
-        self.gate, self.amplitude, self.approach = gate, amplitude, approach
-
-    def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
-        """Whether the step crosses the gate's line."""
-        upright = self.approach
-        if upright is None:
-            upright = np.cross(self.gate.across, after - before)
-            size = float(np.linalg.norm(upright))
-            if size < 1e-9:
-                return False
-            upright = upright / size
-        return self.gate.crossing(before, after, self.amplitude, upright) is not None
-
-
-class PointGate:
-    """Ends a walk once it is leaving the neighbourhood of a point."""
-
-    passes = False
-
-    def __init__(self, point: np.ndarray, reach: float) -> None:
-        self.point, self.reach = point, reach
-
-    def __call__(self, before: np.ndarray, after: np.ndarray) -> bool:
-        """Whether the step leads away from the point, near it."""
-        was, now = (float(np.linalg.norm(p - self.point)) for p in (before, after))
-        return was < self.reach and now > was

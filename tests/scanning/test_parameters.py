@@ -34,7 +34,7 @@ def test_everything_is_automatic_unless_given():
 def test_the_names_are_the_published_ones():
     names = {field.name for field in dataclasses.fields(ScanParameters)}
     others = {"degree", "pattern", "tangent", "steering", "compensation", "probe_radius"}
-    assert names == set(LENGTHS) | others | {"approach"}
+    assert names == set(LENGTHS) | others | {"approach", "safeguards"}
 
 
 def test_choices_are_taken_as_plain_strings():

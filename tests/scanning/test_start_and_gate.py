@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from freecad_edgescan.scanning import Gate, ScanError, Start
-from freecad_edgescan.scanning.trace import LineGate, PointGate
+from freecad_edgescan.scanning.edge_gate import LineGate, PointGate
 
 UP = np.array([0.0, 0.0, 1.0])
 

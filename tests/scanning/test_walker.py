@@ -5,10 +5,11 @@ import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
+from freecad_edgescan.scanning.edge_gate import PointGate
 from freecad_edgescan.scanning.gait import AdaptiveGait, predict, reversed_frame
 from freecad_edgescan.scanning.section import Station, frames_from_sides
 from freecad_edgescan.scanning.stop import Stop
-from freecad_edgescan.scanning.trace import PointGate, trace_both_ways, trace_one_way
+from freecad_edgescan.scanning.trace import trace_both_ways, trace_one_way
 from freecad_edgescan.scanning.walker import walk
 
 PITCH = 1.0

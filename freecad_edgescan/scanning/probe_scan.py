@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scan an edge with a probe, virtual or real.
+
+1. fill in what was not given;
+2. scan the first line, from the start that was given or from an edge found near the click;
+3. walk, both ways or to the gate;
+4. take the probe radius off all edge points together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ..cloud.point_cloud import PointCloud
+from .cmm import Cmm
+from .edge_gate import heading_for, make_gate
+from .errors import ScanError
+from .parameters import ScanParameters
+from .point_cloud_cmm import PointCloudCmm
+from .probe_gait import ProbeGait
+from .probe_section import ProbeSection
+from .probe_settings import ProbeSettings
+from .probed_edge import finish_probed_edge
+from .progress import Progress
+from .recommended import choose_probe_parameters, complete_for_cmm
+from .report import describe
+from .scanned_edge import ScannedEdge
+from .start import Gate, Start
+from .stop import Stop
+from .trace import Trace, trace_both_ways, trace_one_way
+
+__all__ = ["scan_with_cmm", "scan_with_probe"]
+
+Point = Sequence[float] | np.ndarray
+_FEWEST_POINTS = 3  # edge points that make an edge
+
+
+def scan_with_cmm(
+    cmm: Cmm,
+    at: Point | Start,
+    gate: Point | Gate | None,
+    parameters: ScanParameters,
+    progress: Progress | None,
+) -> ScannedEdge:
+    """Scan with a machine; see `scan_edge`."""
+    if not isinstance(at, Start):
+        raise ScanError(
+            f"A measuring machine cannot look for an edge near {at!r}; give at=Start(point, "
+            "across, along) or Start.from_points(p1, p2, p3)."
+        )
+    if parameters.cloud_pitch is not None:
+        raise ScanError(
+            f"A cloud pitch of {parameters.cloud_pitch:g} mm was given with a measuring machine, "
+            "which has no cloud; leave it out."
+        )
+    filled, reasons = complete_for_cmm(cmm, parameters)
+    return _scan(cmm, at, at, gate, filled, reasons, True, progress)
+
+
+def scan_with_probe(
+    cloud: PointCloud,
+    at: Point | Start,
+    gate: Point | Gate | None,
+    parameters: ScanParameters,
+    min_angle: float,
+    progress: Progress | None,
+) -> ScannedEdge:
+    """Scan a cloud with a virtual machine; see `scan_edge`."""
+    filled, reasons, start = choose_probe_parameters(cloud, at, parameters, min_angle)
+    cmm = PointCloudCmm(cloud, "closest", filled.cloud_pitch)
+    known = parameters.approach is not None or cloud.approach is not None
+    return _scan(cmm, at, start, gate, filled, reasons, known, progress)
+
+
+def _scan(
+    cmm: Cmm,
+    at: Point | Start,
+    start: Start,
+    gate: Point | Gate | None,
+    parameters: ScanParameters,
+    reasons: Mapping[str, str],
+    air_known: bool,
+    progress: Progress | None,
+) -> ScannedEdge:
+    settings = ProbeSettings.from_parameters(parameters)
+    section = ProbeSection(cmm, settings)
+    first = section.begin(start)
+    if first.stop is not None:
+        raise ScanError(
+            f"The first line, from ({_text(start.point)}) across ({_text(start.across)}), "
+            f"{first.stop.value}{_because(section.failure)}. Check the start, the approach and "
+            f"the amplitude of {settings.amplitude:g} mm."
+        ) from section.failure
+    begins = at if isinstance(at, Start) else None
+    reach = 0.5 * settings.amplitude
+    arrived = make_gate(gate, begins, first, reach, settings.edge_pitch, settings.approach)
+    gait = ProbeGait(settings)
+    trace: Trace
+    if begins is None and arrived is None:
+        trace = trace_both_ways(section, first, gait, progress)
+    else:
+        if begins is None:
+            first = heading_for(first, arrived)
+        trace = trace_one_way(section, first, gait, arrived, progress)
+    if len(trace.stations) < _FEWEST_POINTS and Stop.CANCELLED not in trace.stops:
+        raise ScanError(
+            f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
+            f"{trace.stops[1].value} within two lines{_because(section.failure)}. Start farther "
+            "from its ends, or change the amplitude or the edge pitch."
+        ) from section.failure
+    edge = finish_probed_edge(trace, settings, parameters, reasons, arrived, air_known)
+    message = describe(edge, gate) + _because(section.failure, " The machine said: {}.")
+    return replace(edge, message=message)
+
+
+def _because(failure: Exception | None, words: str = " ({})") -> str:
+    """What the machine said when it failed."""
+    return words.format(str(failure) or type(failure).__name__) if failure else ""
+
+
+def _text(point: np.ndarray) -> str:
+    return ", ".join(f"{value:.4g}" for value in point)

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Edge points of all probed lines together, with what is known about each.
+
+The default way of taking the probe radius off. It keeps the idea of the intersection curves
+(Schreve 4.5.4): the edge is sought in the plane across it, from the curves of a line and of its
+two neighbours. But every line is carried into that plane along the smooth course and bend of the
+edge itself, not along chords between two lines, so that nothing is lost in a bend, the line's
+own curve takes part, and its normals need no neighbours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry.polynomial_curve import OffsetCurve, fit_polynomial, meeting_parameters
+from .corner import across_axes
+from .probe_settings import ProbeSettings
+from .probed_line import LineSection, ProbedLine, measure_line
+from .section import Frames, frames_from_sides, unrolled
+from .stop import Stop
+
+__all__ = ["ProbedCorners", "carried_lines", "corners_of_lines"]
+
+
+@dataclass(frozen=True)
+class ProbedCorners:
+    """What each line by itself, or with its neighbours, knows of the edge.
+
+    Attributes
+    ----------
+    shift : (m, 2) mm, of the edge point from the frame's origin, in the axes across the edge
+    sides : (m, 2, 3) unit vectors along the two surfaces at the edge, away from it
+    covariance : (m, 2, 2) mm², in the axes across the edge
+    found : (m,) whether the two curves meet
+    """
+
+    shift: np.ndarray
+    sides: np.ndarray
+    covariance: np.ndarray
+    found: np.ndarray
+
+    def points(self, frames: Frames) -> np.ndarray:
+        """Edge points (m, 3) mm, of the sections they were measured in."""
+        axes = across_axes(frames.normals)
+        return np.asarray(frames.origin + np.einsum("ma,mai->mi", self.shift, axes))
+
+    def with_neighbours(self) -> ProbedCorners:
+        """Each edge point as the weighted mean of its own and its two neighbours'.
+
+        The first and the last one stay alone.
+        """
+        trace = np.trace(self.covariance, axis1=1, axis2=2)
+        weight = np.where(self.found, 1.0 / np.maximum(trace, 1e-18), 0.0)
+        shares = np.stack([np.roll(weight, 1), weight, np.roll(weight, -1)], axis=1)
+        shares[[0, -1]] = [0.0, 1.0, 0.0]
+        total = shares.sum(axis=1, keepdims=True)
+        shares = np.divide(shares, total, out=np.zeros_like(shares), where=total > 0.0)
+
+        def mean(values: np.ndarray, share: np.ndarray) -> np.ndarray:
+            near = np.stack([np.roll(values, 1, axis=0), values, np.roll(values, -1, axis=0)], 1)
+            return np.einsum("mk,mk...->m...", share, near)
+
+        sides = mean(np.where(self.found[:, None, None], self.sides, 0.0), shares)
+        size = np.linalg.norm(sides, axis=-1, keepdims=True)
+        return ProbedCorners(
+            mean(np.where(self.found[:, None], self.shift, 0.0), shares),
+            np.where(size > 0.0, sides / np.maximum(size, 1e-300), self.sides),
+            mean(np.where(self.found[:, None, None], self.covariance, 0.0), shares**2),
+            total[:, 0] > 0.0,
+        )
+
+
+def carried_lines(
+    lines: Sequence[ProbedLine], frames: Frames, settings: ProbeSettings
+) -> list[ProbedLine]:
+    """Lines whose contacts were carried along the edge's bend into the planes across the edge."""
+    carried = []
+    for j, line in enumerate(lines):
+        owner = np.zeros(len(line.contacts), dtype=np.int64)
+        origin, tangent = frames.origin[j], frames.tangent[j]
+        contacts = origin + unrolled(frames[j], owner, line.contacts)[1]
+        starts_on = 1 - line.ends_on
+        across = line.rough_sides[line.ends_on] - line.rough_sides[starts_on]
+        again = measure_line(contacts, origin, tangent, across, starts_on, settings)
+        carried.append(line if isinstance(again, Stop) else again)
+    return carried
+
+
+def corners_of_lines(lines: Sequence[ProbedLine], frames: Frames, distance: float) -> ProbedCorners:
+    """Intersect the curves of each line, offset by the probe radius.
+
+    Parameters
+    ----------
+    lines : m lines, in the planes of their frames
+    frames : (m) sections of the smooth course of the edge
+    distance : mm, from the probe's centres to the surfaces, positive into the smaller wedge
+    """
+    axes = across_axes(frames.normals)
+    count = len(lines)
+    shift, found = np.zeros((count, 2)), np.zeros(count, dtype=bool)
+    sides, meeting = frames.sides.copy(), np.ones((count, 2))
+    for j, line in enumerate(lines):
+        curves = [
+            OffsetCurve(section.curve, distance * line.wedge_side(k))
+            for k, section in enumerate(line.sections)
+        ]
+        met = meeting_parameters(curves[0], curves[1])
+        if met is None:
+            continue
+        point = line.origin + curves[0].at(met[0]) @ line.axes
+        shift[j] = axes[j] @ (point - frames.origin[j])
+        ways = np.array([-c.derivative(u) for c, u in zip(curves, met, strict=True)])
+        sides[j], meeting[j], found[j] = ways @ line.axes, met, True
+    standing = frames_from_sides(frames.origin, frames.tangent, sides)
+    variance = _variances(lines, meeting, found)
+    gradient = np.einsum("mki,mai->mka", standing.normals, axes)
+    inverse = np.linalg.pinv(gradient)
+    covariance = np.einsum("mak,mk,mbk->mab", inverse, variance, inverse)
+    return ProbedCorners(shift, standing.sides, covariance, found)
+
+
+def _variances(lines: Sequence[ProbedLine], meeting: np.ndarray, found: np.ndarray) -> np.ndarray:
+    """Variance of each surface's position at the edge, (m, 2) mm².
+
+    The noise is what all lines together scatter about their curves, and each curve knows the
+    edge by its leverage there. What a curve of one degree more would say, on the average of all
+    lines, is the error of the model; noise does not let it be seen on a single line.
+    """
+    variance = np.zeros((len(lines), 2))
+    for k in range(2):
+        leverage, scatter, freedom = np.ones(len(lines)), 0.0, 0
+        errors, spread = [], []
+        for j, line in enumerate(lines):
+            section, u = line.sections[k], meeting[j, k]
+            residual = section.residuals()
+            scatter += float(residual @ residual)
+            freedom += len(residual) - section.curve.degree - 1
+            leverage[j] = section.curve.leverage(u)
+            if found[j]:
+                error = _model_error(section, u)
+                if error is not None:
+                    errors.append(error[0])
+                    spread.append(error[1])
+        noise = scatter / max(freedom, 1)
+        error = float(np.mean(errors)) ** 2 if errors else 0.0
+        error -= noise * float(np.mean(spread)) / len(spread) if errors else 0.0
+        variance[:, k] = noise * leverage + max(error, 0.0)
+    return variance
+
+
+def _model_error(section: LineSection, u: float) -> tuple[float, float] | None:
+    """How far a curve of one degree more lies across this one at u, and its leverage there."""
+    points, degree = section.points[section.kept], section.curve.degree + 1
+    if len(points) < degree + 2:
+        return None
+    more = fit_polynomial(points, degree)[0]
+    way = section.curve.derivative(u)
+    off = more.at(u) - section.curve.at(u)
+    across = (way[0] * off[1] - way[1] * off[0]) / float(np.hypot(*way))
+    return float(across), more.leverage(u)
