@@ -16,6 +16,7 @@ import numpy as np
 
 from .cmm import Cmm
 from .probe_settings import ProbeSettings
+from .probed_line import farthest_from_chord
 from .stop import Stop
 
 __all__ = ["LineScanner", "ScanPlane", "ScannedLine"]
@@ -26,6 +27,7 @@ _SAME_POINT = 1e-6  # line pitches
 _LEAST_PROGRESS = 0.1  # line pitches, towards the target
 _LONGER_STEPS = (2.0, 3.0)  # line pitches, tried after a point that was touched twice
 _NEAR = 0.25  # amplitudes from its target, where a collision is as good as a touch
+_FAR = 2.0  # amplitudes between two lines that do not follow each other
 _ROUND_TURNS = (0.6, 1.2, 1.8)  # rad, tried round an edge behind which nothing was touched
 _LEAST_TURN = 0.3  # rad, to the surface behind the edge: below it the probe is there already
 
@@ -38,11 +40,14 @@ class ScanPlane:
     ----------
     origin : (3,) mm
     across, inward : (3,) unit vectors of x and y, square to each other
+    wedge : 1 when the smaller wedge of the two surfaces lies on the side of y, -1 when it lies
+        on the other, 0 when that is not known yet
     """
 
     origin: np.ndarray
     across: np.ndarray
     inward: np.ndarray
+    wedge: float = 0.0
 
     def place(self, x: float, y: float) -> np.ndarray:
         """The point (3,) at two coordinates."""
@@ -124,6 +129,7 @@ class LineScanner:
         return ScannedLine(np.array(line.contacts), None)
 
     def _first(self, plane: ScanPlane, start: tuple[float, float]) -> np.ndarray:
+        self._fly_over(plane.place(*start))
         contact, collided = self._touch(plane, *start, 0.0, 1.0)
         if contact is None:
             raise _Halted(Stop.OFF_OBJECT)
@@ -133,6 +139,19 @@ class LineScanner:
             if not allowed or away > _NEAR * self.settings.amplitude:
                 raise _Halted(Stop.COLLISION)
         return contact
+
+    def _fly_over(self, target: np.ndarray) -> None:
+        """Come from another end of the edge, high above the part."""
+        if self.position is None:
+            return
+        way = target - self.position
+        if np.linalg.norm(way) < _FAR * self.settings.amplitude:
+            return
+        rise = -self.settings.search_distance * self.settings.approach
+        for place in (self.position + rise, target + rise):
+            if self._go(place) is not None:
+                raise _Halted(Stop.COLLISION)
+            self.position = place
 
     def _second(self, line: _Line, heading: tuple[float, float]) -> None:
         line.heading = heading
@@ -296,10 +315,7 @@ class _Line:
         return self.length >= amplitude and self._behind_edge() >= half_line
 
     def _behind_edge(self) -> float:
-        """Length from the point farthest from the line's chord, about where the edge is."""
+        """Length from where the edge seems to be."""
         xy = np.array(self.xy)
-        chord = xy[-1] - xy[0]
-        offset = xy - xy[0]
-        off = np.abs(offset[:, 0] * chord[1] - offset[:, 1] * chord[0])
-        behind = np.diff(xy[int(off.argmax()) :], axis=0)
+        behind = np.diff(xy[farthest_from_chord(xy, self.plane.wedge) :], axis=0)
         return float(np.hypot(behind[:, 0], behind[:, 1]).sum())

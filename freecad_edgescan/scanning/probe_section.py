@@ -22,6 +22,7 @@ from .stop import Stop
 __all__ = ["ProbeSection"]
 
 _DEGENERATED = 0.25  # edge pitches a zigzag's turning point may be off before it is laid anew
+_ELSEWHERE = 2.0  # amplitudes from the last edge point: the machine has come from another walk
 _LARGEST_LEAN = 0.7  # rad, of a side against the side it was before
 _FARTHEST = 0.5  # amplitudes an edge point may lie from where it was predicted
 
@@ -62,9 +63,9 @@ class ProbeSection:
         before = last.line
         if before is None:
             raise TypeError("a probed scan goes on from a line")
-        starts_on = before.ends_on
         origin, tangent = predicted.origin[0], predicted.tangent[0]
-        target, contact = self._line_start(before, predicted, last)
+        starts_on = self._stands_on(before, last)
+        target, contact = self._line_start(before, starts_on, predicted, last)
         plane = self._plane(origin, tangent, predicted, starts_on, target)
         sides = predicted.sides[0]
         scanned = self._scan(
@@ -94,12 +95,23 @@ class ProbeSection:
         """A line without an edge says itself why."""
         return stop
 
+    def _stands_on(self, before: ProbedLine, last: Station) -> int:
+        """The surface the machine is over: a line that was passed over has changed sides."""
+        position = self.scanner.position
+        if position is None:
+            return before.ends_on
+        away = position - last.frame.origin[0]
+        if np.linalg.norm(away) > _ELSEWHERE * self.settings.amplitude:
+            return before.ends_on
+        return int((last.frame.sides[0] @ away).argmax())
+
     def _line_start(
-        self, before: ProbedLine, predicted: Frames, last: Station
+        self, before: ProbedLine, starts_on: int, predicted: Frames, last: Station
     ) -> tuple[np.ndarray, np.ndarray | None]:
         """Where the next line begins, and the contact that already lies there in a zigzag."""
         settings, tangent = self.settings, predicted.tangent[0]
-        end, here = before.contacts[-1], last.frame.origin[0]
+        end = before.contacts[-1 if starts_on == before.ends_on else 0]
+        here = last.frame.origin[0]
         ahead = predicted.origin[0] - here
         reach = end - here
         along = float(reach @ tangent)
@@ -133,12 +145,13 @@ class ProbeSection:
             normal = normal / np.sqrt(normal @ normal)
         sides = predicted.sides[0]
         wedge = sides[0] + sides[1]
-        inward = wedge if wedge @ self.settings.approach > 0.0 else -wedge
-        inward = _square_to(inward, normal)
+        convex = 1.0 if wedge @ self.settings.approach > 0.0 else -1.0
+        inward = _square_to(convex * wedge, normal)
         across = _cross(normal, inward)
         if across @ (sides[1 - starts_on] - sides[starts_on]) < 0.0:
             across = -across
-        return ScanPlane(origin, across, inward)
+        known = convex if self.settings.safeguards.signed_split else 0.0
+        return ScanPlane(origin, across, inward, known)
 
     def _scan(
         self,
@@ -161,7 +174,13 @@ class ProbeSection:
         if scanned.stop is not None and (literal or len(scanned.contacts) < 5):
             return scanned.stop
         line = measure_line(
-            scanned.contacts, plane.origin, tangent, plane.across, starts_on, self.settings
+            scanned.contacts,
+            plane.origin,
+            tangent,
+            plane.across,
+            starts_on,
+            self.settings,
+            plane.wedge * plane.inward if plane.wedge else None,
         )
         if isinstance(line, Stop):
             return scanned.stop or line

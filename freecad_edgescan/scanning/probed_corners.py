@@ -84,7 +84,8 @@ def carried_lines(
         contacts = origin + unrolled(frames[j], owner, line.contacts)[1]
         starts_on = 1 - line.ends_on
         across = line.rough_sides[line.ends_on] - line.rough_sides[starts_on]
-        again = measure_line(contacts, origin, tangent, across, starts_on, settings)
+        wedge = line.rough_sides.sum(axis=0)
+        again = measure_line(contacts, origin, tangent, across, starts_on, settings, wedge)
         carried.append(line if isinstance(again, Stop) else again)
     return carried
 

@@ -102,6 +102,7 @@ def measure_line(
     across: np.ndarray,
     starts_on: int,
     settings: ProbeSettings,
+    wedge: np.ndarray | None = None,
 ) -> ProbedLine | Stop:
     """Find the edge on a scanned line.
 
@@ -112,6 +113,7 @@ def measure_line(
     tangent : (3,) unit vector, along the edge as far as it is known
     across : (3,) unit vector in the direction of travel
     starts_on : which of the two surfaces the line begins on
+    wedge : (3,) a direction into the smaller wedge of the two surfaces, when it is known
 
     Returns
     -------
@@ -136,31 +138,68 @@ def measure_line(
     axes = np.array([x, y])
     offset = contacts - origin
     points = offset @ axes.T
-    split = _farthest_from_chord(points)
-    order = np.arange(len(points))
-    parts = [order[:split], order[:split:-1]]
-    sections = []
-    for part in parts:
-        section = _section(part, points[part], settings)
-        if section is None:
-            return Stop.TOO_FEW_POINTS
-        sections.append(section)
-    if starts_on == 1:
-        sections.reverse()
-    first, second = sections
-    met = meeting_parameters(first.curve, second.curve)
-    if met is None:
+    ways = [0.0]
+    if settings.safeguards.signed_split:
+        ways = [1.0, -1.0] if wedge is None else [1.0 if wedge @ axes[1] > 0.0 else -1.0]
+    found: list[_Halves] = []
+    for way in ways:
+        halves = _halves(points, farthest_from_chord(points, way), settings)
+        if halves is not None:
+            found.append(halves)
+    if not found:
+        return Stop.TOO_FEW_POINTS
+    best = min(found, key=lambda halves: halves.miss)
+    if best.meeting is None:
         return Stop.NO_EDGE
+    order = slice(None, None, -1) if starts_on == 1 else slice(None)
+    first, second = best.sections[order]
+    met = best.meeting[order]
     drift = _drift(points[:, 0], offset @ normal) if settings.safeguards.slide else (0.0, 0.0)
     return ProbedLine(contacts, origin, axes, normal, drift, (first, second), met, 1 - starts_on)
 
 
-def _farthest_from_chord(points: np.ndarray) -> int:
-    """Where to split a line (Schreve 4.3.2); that point is used no more."""
+@dataclass(frozen=True)
+class _Halves:
+    """Both sections of a split line, where they meet, and how far from the split that is."""
+
+    sections: tuple[LineSection, LineSection]
+    meeting: tuple[float, float] | None
+    miss: float
+
+
+def _halves(points: np.ndarray, split: int, settings: ProbeSettings) -> _Halves | None:
+    order = np.arange(len(points))
+    sections = []
+    for part in (order[:split], order[:split:-1]):
+        section = _section(part, points[part], settings)
+        if section is None:
+            return None
+        sections.append(section)
+    first, second = sections
+    met = meeting_parameters(first.curve, second.curve)
+    if met is None:
+        return _Halves((first, second), None, np.inf)
+    miss = np.linalg.norm(first.curve.at(met[0]) - points[split])
+    return _Halves((first, second), met, float(miss))
+
+
+def farthest_from_chord(points: np.ndarray, wedge: float = 0.0) -> int:
+    """Where to split a line: at the point farthest from its chord (Schreve 4.3.2).
+
+    On strongly curved sides some point of a side may be farther from the chord than the edge is.
+    The edge stands out of the smaller wedge, the sides' bellies do not.
+
+    Parameters
+    ----------
+    points : (n, 2) coordinates in the plane of the line
+    wedge : 1 when the smaller wedge lies on the side of y, -1 on the other, 0 when unknown
+    """
     chord = points[-1] - points[0]
     offset = points - points[0]
-    off = np.abs(offset[:, 0] * chord[1] - offset[:, 1] * chord[0])
-    return int(off.argmax())
+    off = chord[0] * offset[:, 1] - chord[1] * offset[:, 0]
+    if wedge:
+        return int((-wedge * np.sign(chord[0]) * off).argmax())
+    return int(np.abs(off).argmax())
 
 
 def _drift(x: np.ndarray, along: np.ndarray) -> tuple[float, float]:

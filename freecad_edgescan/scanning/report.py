@@ -14,6 +14,12 @@ _ADVICE = {
     Stop.SMOOTH: "the turn between the sides fell below the least angle",
     Stop.LIMIT: "raise the edge pitch, or scan on from there",
     Stop.CANCELLED: "what was found until then is kept",
+    Stop.COLLISION: "raise the prehit distance, or lower the edge pitch",
+    Stop.REPEATED_POINT: "raise the line pitch, to 1.5 times the cloud pitch or more",
+    Stop.OFF_OBJECT: "the part or the cloud ends there; otherwise raise the search distance",
+    Stop.NO_EDGE: "choose an amplitude that holds this one edge and no other",
+    Stop.TOO_FEW_POINTS: "lower the line pitch, or raise the amplitude or the tolerance",
+    Stop.CMM_FAILED: "what was found until then is kept",
 }
 _IGNORED = (
     "line_pitch",
@@ -50,6 +56,8 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
     bridged = int((~edge.supported).sum())
     if bridged:
         sentences.append(f"{bridged} of {len(edge)} edge points bridge gaps in the cloud.")
+    if edge.method == "probe":
+        return " ".join(sentences)
     ignored = [name.replace("_", " ") for name in _IGNORED if edge.reasons.get(name) == "given"]
     if ignored:
         sentences.append(f"Without effect in the patch method: {', '.join(ignored)}.")

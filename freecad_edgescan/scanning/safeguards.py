@@ -18,6 +18,8 @@ class Safeguards:
     ----------
     slide : points are moved along the edge's tangent into the plane across the edge, instead of
         square to the plane that fits them best; along the tangent a surface does not change
+    signed_split : a line is split at the point that stands out farthest from the smaller wedge,
+        not at the one farthest from the chord on either side
     quadratic_cleaning : the points on a rounding are found with a quadratic, also where a line is
         fitted afterwards; on a curved side a line would give up good points
     near_points : a line that does not hold the tolerance gives up its points far from the edge,
@@ -37,6 +39,7 @@ class Safeguards:
     """
 
     slide: bool = True
+    signed_split: bool = True
     quadratic_cleaning: bool = True
     near_points: bool = True
     spare_points: bool = True
@@ -51,4 +54,4 @@ class Safeguards:
     @classmethod
     def none(cls) -> Safeguards:
         """The algorithm as printed."""
-        return cls(False, False, False, False, 0.0, np.pi, 0, False, False, False, False)
+        return cls(False, False, False, False, False, 0.0, np.pi, 0, False, False, False, False)
