@@ -112,6 +112,7 @@ def scan_trial(
     method: str = "probe",
     literal: bool = False,
     overrides: Mapping[str, Any] | None = None,
+    progress: Progress | None = None,
 ) -> ScannedEdge:
     """Scan an object's edge from azimuth 0.1 to π - 0.1 with the parameters of the design.
 
@@ -134,6 +135,7 @@ def scan_trial(
         gate=Gate(*trial.object.gate(trial.amplitude)),
         parameters=make(**values | dict(overrides or {})),
         method=method,
+        progress=progress,
     )
 
 
