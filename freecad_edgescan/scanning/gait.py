@@ -30,7 +30,9 @@ class Gait(Protocol):
     """
 
     @property
-    def longest_step(self) -> float: ...
+    def longest_step(self) -> float:
+        """Largest distance of two following edge points, mm."""
+        ...
 
     def stride(self, section: Section, stations: Sequence[Station]) -> Station:
         """Measure the next station; one with a stop when the edge cannot be followed further.

@@ -25,6 +25,7 @@ _LARGEST_GAP = 1.5  # line pitches; beyond it points are missing between two con
 _MOST_POINTS = 4.0  # times as many as fit on a line of one amplitude
 _SAME_POINT = 1e-6  # line pitches
 _LEAST_PROGRESS = 0.1  # line pitches, towards the target
+_BACK = -0.8  # cosine of a turn that is no edge any more but the way back
 _LONGER_STEPS = (2.0, 3.0)  # line pitches, tried after a point that was touched twice
 _NEAR = 0.25  # amplitudes from its target, where a collision is as good as a touch
 _FAR = 2.0  # amplitudes between two lines that do not follow each other
@@ -304,11 +305,14 @@ class _Line:
         return (x - start[0]) * way[0] + (y - start[1]) * way[1]
 
     def moved_on(self, contact: np.ndarray, pitch: float, strict: bool) -> bool:
-        """Whether a contact is another one than the last, and (strictly) lies ahead of it."""
+        """Whether a contact is another one than the last, and (strictly) does not lead back."""
         offset = contact - self.contacts[-1]
         if float(offset @ offset) < (_SAME_POINT * pitch) ** 2:
             return False
-        return not strict or self.gap_to(contact) > _LEAST_PROGRESS * pitch
+        gap = self.gap_to(contact)
+        return not strict or (
+            gap > _LEAST_PROGRESS * pitch and self.progress(contact, self.heading) > _BACK * gap
+        )
 
     def complete(self, amplitude: float, half_line: float) -> bool:
         """Whether the line is long enough, as a whole and behind the edge (Schreve 4.2.3)."""

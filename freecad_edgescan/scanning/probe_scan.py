@@ -43,6 +43,7 @@ def scan_with_cmm(
     at: Point | Start,
     gate: Point | Gate | None,
     parameters: ScanParameters,
+    min_angle: float,
     progress: Progress | None,
 ) -> ScannedEdge:
     """Scan with a machine; see `scan_edge`."""
@@ -57,7 +58,7 @@ def scan_with_cmm(
             "which has no cloud; leave it out."
         )
     filled, reasons = complete_for_cmm(cmm, parameters)
-    return _scan(cmm, at, at, gate, filled, reasons, True, progress)
+    return _scan(cmm, at, at, gate, filled, reasons, True, min_angle, progress)
 
 
 def scan_with_probe(
@@ -72,7 +73,7 @@ def scan_with_probe(
     filled, reasons, start = choose_probe_parameters(cloud, at, parameters, min_angle)
     cmm = PointCloudCmm(cloud, "closest", filled.cloud_pitch)
     known = parameters.approach is not None or cloud.approach is not None
-    return _scan(cmm, at, start, gate, filled, reasons, known, progress)
+    return _scan(cmm, at, start, gate, filled, reasons, known, min_angle, progress)
 
 
 def _scan(
@@ -83,9 +84,10 @@ def _scan(
     parameters: ScanParameters,
     reasons: Mapping[str, str],
     air_known: bool,
+    min_angle: float,
     progress: Progress | None,
 ) -> ScannedEdge:
-    settings = ProbeSettings.from_parameters(parameters)
+    settings = ProbeSettings.from_parameters(parameters, min_angle)
     section = ProbeSection(cmm, settings)
     first = section.begin(start)
     if first.stop is not None:

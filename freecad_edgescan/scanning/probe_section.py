@@ -137,14 +137,18 @@ class ProbeSection:
         starts_on: int,
         target: np.ndarray,
     ) -> ScanPlane:
+        sides = predicted.sides[0]
+        wedge = sides[0] + sides[1]
         normal = tangent
         if self.settings.pattern is Pattern.ZIGZAG:
             way = origin - target
             way = way / np.sqrt(way @ way)
-            normal = tangent - (tangent @ way) * way  # Schreve eq. 4.2.1.1
+            if self.settings.safeguards.restore:
+                normal = _cross(way, wedge)
+                normal = normal if normal @ tangent > 0.0 else -normal
+            else:
+                normal = tangent - (tangent @ way) * way  # Schreve eq. 4.2.1.1
             normal = normal / np.sqrt(normal @ normal)
-        sides = predicted.sides[0]
-        wedge = sides[0] + sides[1]
         convex = 1.0 if wedge @ self.settings.approach > 0.0 else -1.0
         inward = _square_to(convex * wedge, normal)
         across = _cross(normal, inward)
@@ -184,7 +188,8 @@ class ProbeSection:
         )
         if isinstance(line, Stop):
             return scanned.stop or line
-        return line
+        turn = np.pi - np.arccos(np.clip(line.rough_sides[0] @ line.rough_sides[1], -1.0, 1.0))
+        return line if turn > self.settings.least_turn else Stop.NO_EDGE
 
 
 def _square_to(vector: np.ndarray, normal: np.ndarray) -> np.ndarray:

@@ -23,6 +23,7 @@ class ProbeSettings:
     ----------
     least_pitch : below which the edge pitch is not shortened
     approach : (3,) unit vector, from the air into the part
+    least_turn : between the two sections of a line, rad, below which there is no edge on it
     """
 
     amplitude: float
@@ -41,10 +42,16 @@ class ProbeSettings:
     chord_height: float | None
     least_pitch: float
     safeguards: Safeguards
+    least_turn: float
 
     @classmethod
-    def from_parameters(cls, parameters: ScanParameters) -> ProbeSettings:
-        """Take over parameters in which every value a probed scan needs is given."""
+    def from_parameters(cls, parameters: ScanParameters, min_angle: float) -> ProbeSettings:
+        """Take over parameters in which every value a probed scan needs is given.
+
+        Parameters
+        ----------
+        min_angle : rad, least turn of an edge; a single line may fall short of it by half
+        """
         p = parameters
         return cls(
             amplitude=_given(p.amplitude),
@@ -63,6 +70,7 @@ class ProbeSettings:
             chord_height=p.chord_height,
             least_pitch=_LEAST_PITCHES * (p.cloud_pitch or 0.0),
             safeguards=p.safeguards or Safeguards(),
+            least_turn=0.5 * min_angle,
         )
 
     @property

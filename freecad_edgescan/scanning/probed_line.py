@@ -53,7 +53,8 @@ class ProbedLine:
     contacts : (n, 3) mm, in the order of travel
     origin, axes : (3,) mm and (2, 3) unit vectors: the plane its points were brought into
     ruling : (3,) unit vector along which they were moved there
-    drift : along the ruling: a + b·x where the line really ran, mm
+    drift : a, b, c, x0: along the ruling the line ran at a + b·x + c·|x - x0|, mm; a line that is
+        not square to the edge has a kink there
     sections : on the two surfaces of the edge, always in the same order
     meeting : parameters of the two curves where they meet
     ends_on : which of the two surfaces the line ended on
@@ -63,14 +64,15 @@ class ProbedLine:
     origin: np.ndarray
     axes: np.ndarray
     ruling: np.ndarray
-    drift: tuple[float, float]
+    drift: tuple[float, float, float, float]
     sections: tuple[LineSection, LineSection]
     meeting: tuple[float, float]
     ends_on: int
 
     def place(self, xy: np.ndarray) -> np.ndarray:
         """Points (…, 3) mm where the line ran, at coordinates (…, 2) of the plane."""
-        along = self.drift[0] + self.drift[1] * xy[..., 0]
+        a, b, c, x0 = self.drift
+        along = a + b * xy[..., 0] + c * np.abs(xy[..., 0] - x0)
         return self.origin + xy @ self.axes + along[..., None] * self.ruling
 
     @property
@@ -154,7 +156,10 @@ def measure_line(
     order = slice(None, None, -1) if starts_on == 1 else slice(None)
     first, second = best.sections[order]
     met = best.meeting[order]
-    drift = _drift(points[:, 0], offset @ normal) if settings.safeguards.slide else (0.0, 0.0)
+    drift = 0.0, 0.0, 0.0, 0.0
+    if settings.safeguards.slide:
+        edge_at = first.curve.at(met[0])[0]
+        drift = _drift(points[:, 0], offset @ normal, float(edge_at))
     return ProbedLine(contacts, origin, axes, normal, drift, (first, second), met, 1 - starts_on)
 
 
@@ -202,12 +207,11 @@ def farthest_from_chord(points: np.ndarray, wedge: float = 0.0) -> int:
     return int(np.abs(off).argmax())
 
 
-def _drift(x: np.ndarray, along: np.ndarray) -> tuple[float, float]:
-    """Straight line through how far along the edge the points of a line lie."""
-    middle = x.sum() / len(x)
-    spread = x - middle
-    slope = float(spread @ along) / max(float(spread @ spread), 1e-300)
-    return float(along.sum() / len(x) - slope * middle), slope
+def _drift(x: np.ndarray, along: np.ndarray, x0: float) -> tuple[float, float, float, float]:
+    """Two straight lines with a kink at x0 through how far along the edge the points lie."""
+    terms = np.stack([np.ones_like(x), x, np.abs(x - x0)])
+    a, b, c = np.linalg.solve(terms @ terms.T + 1e-12 * np.eye(3), terms @ along)
+    return float(a), float(b), float(c), float(x0)
 
 
 def _section(order: np.ndarray, points: np.ndarray, settings: ProbeSettings) -> LineSection | None:

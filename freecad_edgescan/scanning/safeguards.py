@@ -35,7 +35,9 @@ class Safeguards:
     near_collisions : a collision on the way to a line's first point is measured there when it lies
         near the target; only one far from it means that the scan has lost its way
     restore : each line begins half an amplitude from the edge, and a zigzag half an edge pitch
-        ahead, instead of wherever the line before has ended (Schreve figures 4.5 and 4.14)
+        ahead, instead of wherever the line before has ended (Schreve figures 4.5 and 4.14); the
+        plane of a zigzag line holds the bisector of the two surfaces, so that the line gets on
+        as far behind the edge as before it
     """
 
     slide: bool = True

@@ -74,4 +74,4 @@ def scan_edge(
         )
     if method == "patch":
         raise ScanError("A measuring machine has no points for patches; use method='probe'.")
-    return scan_with_cmm(cloud, at, gate, wanted, progress)
+    return scan_with_cmm(cloud, at, gate, wanted, min_angle, progress)
