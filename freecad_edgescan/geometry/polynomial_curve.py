@@ -5,14 +5,32 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 
-__all__ = ["OffsetCurve", "PolynomialCurve", "fit_polynomial", "meeting_parameters"]
+__all__ = ["OffsetCurve", "PlaneCurve", "PolynomialCurve", "fit_polynomial", "meeting_parameters"]
 
 _NEWTON_STEPS = 6
 _SAMPLES = 48  # of each curve, where its meeting with the other one is looked for
 _FARTHEST = 3.0  # of a curve's own length: how far it may be drawn out
+
+
+class PlaneCurve(Protocol):
+    """A curve of a plane that can be drawn out beyond its end at u = 1."""
+
+    @property
+    def degree(self) -> int:
+        """1 when it is straight."""
+        ...
+
+    def at(self, u: np.ndarray | float) -> np.ndarray:
+        """Points (…, 2) at parameters u (…)."""
+        ...
+
+    def derivative(self, u: np.ndarray | float) -> np.ndarray:
+        """Derivatives (…, 2) by the parameter."""
+        ...
 
 
 @dataclass(frozen=True)
@@ -116,9 +134,6 @@ class OffsetCurve:
             np.einsum("...i,...i->...", way, way) ** 1.5
         )
         return way * (1.0 - self.distance * curvature)[..., None]
-
-
-PlaneCurve = PolynomialCurve | OffsetCurve
 
 
 def fit_polynomial(points: np.ndarray, degree: int) -> tuple[PolynomialCurve, np.ndarray]:

@@ -141,18 +141,20 @@ def _variances(lines: Sequence[ProbedLine], meeting: np.ndarray, found: np.ndarr
             freedom += len(residual) - section.curve.degree - 1
             leverage[j] = section.curve.leverage(u)
             if found[j]:
-                error = _model_error(section, u)
-                if error is not None:
-                    errors.append(error[0])
-                    spread.append(error[1])
+                more = _one_degree_more(section, u)
+                if more is not None:
+                    errors.append(more[0])
+                    spread.append(more[1])
         noise = scatter / max(freedom, 1)
-        error = float(np.mean(errors)) ** 2 if errors else 0.0
-        error -= noise * float(np.mean(spread)) / len(spread) if errors else 0.0
-        variance[:, k] = noise * leverage + max(error, 0.0)
+        model = 0.0
+        if errors:
+            by_chance = noise * float(np.mean(spread)) / len(spread)
+            model = max(float(np.mean(errors)) ** 2 - by_chance, 0.0)
+        variance[:, k] = noise * leverage + model
     return variance
 
 
-def _model_error(section: LineSection, u: float) -> tuple[float, float] | None:
+def _one_degree_more(section: LineSection, u: float) -> tuple[float, float] | None:
     """How far a curve of one degree more lies across this one at u, and its leverage there."""
     points, degree = section.points[section.kept], section.curve.degree + 1
     if len(points) < degree + 2:

@@ -153,9 +153,9 @@ def measure_line(
     best = min(found, key=lambda halves: halves.miss)
     if best.meeting is None:
         return Stop.NO_EDGE
-    order = slice(None, None, -1) if starts_on == 1 else slice(None)
-    first, second = best.sections[order]
-    met = best.meeting[order]
+    (first, second), met = best.sections, best.meeting
+    if starts_on == 1:
+        first, second, met = second, first, (met[1], met[0])
     drift = 0.0, 0.0, 0.0, 0.0
     if settings.safeguards.slide:
         edge_at = first.curve.at(met[0])[0]

@@ -8,6 +8,8 @@ from freecad_edgescan.scanning import Gate, ScanError, ScanParameters, Start, St
 from freecad_edgescan.scanning.line_scanner import LineScanner, ScanPlane
 from freecad_edgescan.scanning.probe_settings import ProbeSettings
 
+BLUNT = np.radians(100.0)
+
 
 class WedgeMachine:
     """Two half-planes that meet in the y axis, each falling off from it at an angle.
@@ -17,7 +19,7 @@ class WedgeMachine:
     r from the planes and from the edge.
     """
 
-    def __init__(self, angle=np.radians(100.0), reach=30.0, length=(-20.0, 100.0), radius=0.0):
+    def __init__(self, angle=BLUNT, reach=30.0, length=(-20.0, 100.0), radius=0.0):
         fall = 0.5 * (np.pi - angle)
         self.sides = np.array([[-np.cos(fall), -np.sin(fall)], [np.cos(fall), -np.sin(fall)]])
         self.normals = np.array([[-np.sin(fall), np.cos(fall)], [np.sin(fall), np.cos(fall)]])
@@ -289,7 +291,7 @@ def test_the_same_point_twice_is_stepped_over_and_stops_the_printed_algorithm():
 
 
 def test_a_plane_without_an_edge_is_told():
-    with pytest.raises(ScanError, match="no edge|left the object"):
+    with pytest.raises(ScanError, match=r"no edge|left the object"):
         scan(WedgeMachine(np.pi - 1e-6))
 
 
@@ -318,7 +320,7 @@ def test_a_machine_needs_a_start():
 
 def test_a_machine_has_no_cloud_pitch():
     machine = WedgeMachine()
-    with pytest.raises(ScanError, match="cloud pitch of 0.3 mm"):
+    with pytest.raises(ScanError, match=r"cloud pitch of 0\.3 mm"):
         scan_edge(machine, at=start(machine), parameters=parameters(cloud_pitch=0.3))
 
 
