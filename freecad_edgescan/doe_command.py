@@ -110,7 +110,12 @@ def _figure(options: argparse.Namespace) -> int:
             from freecad_edgescan.experiments.doe_figures import make_figure
 
             found = make_figure(
-                options.figure, options.seed, options.jobs, options.method, progress
+                options.figure,
+                options.seed,
+                options.jobs,
+                options.method,
+                options.literal,
+                progress,
             )
     _show(found, path)
     return exit_code(progress)

@@ -35,6 +35,7 @@ def make_figure(
     seed: int = 0,
     jobs: int = 2,
     method: str = "probe",
+    literal: bool = False,
     progress: Progress | None = None,
 ) -> tuple[Curves, ...]:
     """Compute a figure; what was computed so far when `progress` cancels.
@@ -45,6 +46,7 @@ def make_figure(
     seed : of the noise of scanned clouds
     jobs : number of processes that scan; times are measured in this one alone
     method : probe or patch, for the figures of cost
+    literal : whether figures 5.6 to 5.9 scan as printed
 
     Raises
     ------
@@ -55,7 +57,7 @@ def make_figure(
         return (model(degree, number),)
     if number in _OF_SCANS:
         scans, degree = _OF_SCANS[number]
-        return scans(degree, number, seed, jobs, progress)
+        return scans(degree, number, seed, jobs, literal, progress)
     if number in _OF_COST:
         return _OF_COST[number](method, number, progress)
     known = ", ".join([*_OF_THE_MODEL, *_OF_SCANS, *_OF_COST])

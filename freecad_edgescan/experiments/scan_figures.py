@@ -24,26 +24,26 @@ __all__ = ["noise_figure", "pattern_figure", "printed_trial"]
 TOLERANCES = {0.005: 0.2, 0.05: 0.25, 0.1: 0.3}  # mm, by noise level
 # From the fewest points that inequality 4.7.1.1 allows.
 _SHARES = {
-    1: (0.08, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8),
+    1: (0.08, 0.1, 0.12, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6),
     2: (0.12, 0.16, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0),
 }
 _KINDS = {1: "linear", 2: "quadratic"}
 
 
 def noise_figure(
-    degree: int, number: str, seed: int, jobs: int, progress: Progress | None
+    degree: int, number: str, seed: int, jobs: int, literal: bool, progress: Progress | None
 ) -> tuple[Curves, ...]:
     """Square scans with three noises beside the analytical error."""
     title = f"Figure {number}: average error of square {_KINDS[degree]} scans"
-    return _figure(title, degree, ("square",), seed, jobs, progress)
+    return _figure(title, degree, ("square",), seed, jobs, literal, progress)
 
 
 def pattern_figure(
-    degree: int, number: str, seed: int, jobs: int, progress: Progress | None
+    degree: int, number: str, seed: int, jobs: int, literal: bool, progress: Progress | None
 ) -> tuple[Curves, ...]:
     """Zigzag beside square scans with three noises."""
     title = f"Figure {number}: average error of zigzag and square {_KINDS[degree]} scans"
-    return _figure(title, degree, ("zigzag", "square"), seed, jobs, progress)
+    return _figure(title, degree, ("zigzag", "square"), seed, jobs, literal, progress)
 
 
 def printed_trial(share: float, noise: float, section_radius: float = 50.5, test: int = 0) -> Trial:
@@ -73,12 +73,13 @@ def _figure(
     patterns: Sequence[str],
     seed: int,
     jobs: int,
+    literal: bool,
     progress: Progress | None,
 ) -> tuple[Curves, ...]:
     shares, groups = _SHARES[degree], tuple((pattern, degree) for pattern in patterns)
     places = [(noise, share) for noise in TOLERANCES for share in shares]
     tasks = [
-        RowTask(printed_trial(share, noise, test=test), groups, seed=seed)
+        RowTask(printed_trial(share, noise, test=test), groups, seed=seed, literal=literal)
         for test, (noise, share) in enumerate(places)
     ]
     rows = scan_rows(tasks, jobs, progress)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..scanning import Progress
+from ..scanning.automatic import MIN_ANGLE
 from ..scanning.parameters import Tangent
 from ..scanning.probe_settings import ProbeSettings
 from ..scanning.probed_tangent import edge_tangent
@@ -69,7 +70,8 @@ def _tangents_along(number: str, row: Trial, seed: int) -> Curves:
     edge = scan_trial(row, trial_cloud(row, seed), _GROUP, progress=walk)
     lines = [station.line for station in walk.stations if station.line is not None]
     points = np.array([line.edge_point for line in lines])
-    settings = ProbeSettings.from_parameters(replace(edge.parameters, safeguards=Safeguards.none()))
+    printed = replace(edge.parameters, safeguards=Safeguards.none())
+    settings = ProbeSettings.from_parameters(printed, MIN_ANGLE)
     forward = np.gradient(points, axis=0)
     curves, notes = [], []
     for way in Tangent:
