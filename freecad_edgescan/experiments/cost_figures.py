@@ -21,7 +21,7 @@ from .doe_result import PATCH, Group
 from .doe_scan import scan_trial, trial_cloud
 from .scan_figures import printed_trial
 
-__all__ = ["amplitude_cost", "cloud_cost"]
+__all__ = ["amplitude_cost", "cloud_cost", "timed"]
 
 AMPLITUDES = np.arange(10.0, 42.0, 2.0)  # mm
 WIDTHS = np.arange(24.0, 300.0, 18.0)  # mm, of the clouds across the edge
@@ -36,7 +36,7 @@ def amplitude_cost(method: str, number: str, progress: Progress | None) -> tuple
     """Seconds for one scan by amplitude, on one cloud: proportional."""
     cloud = trial_cloud(_trial(_USUAL), 0, _WIDE)
     jobs = [(_trial(float(amplitude)), cloud) for amplitude in AMPLITUDES]
-    seconds = list(_timed(jobs, method, progress))
+    seconds = list(timed(jobs, method, progress))
     if len(seconds) < 2:
         return ()
     amplitudes = AMPLITUDES[: len(seconds)]
@@ -64,7 +64,7 @@ def cloud_cost(method: str, number: str, progress: Progress | None) -> tuple[Cur
             sizes.append(len(cloud))
             yield trial, cloud
 
-    seconds = list(_timed(jobs(), method, progress, len(WIDTHS)))
+    seconds = list(timed(jobs(), method, progress, len(WIDTHS)))
     if len(seconds) < 2:
         return ()
     known = np.array(sizes[: len(seconds)], dtype=float)
@@ -83,7 +83,7 @@ def _trial(amplitude: float) -> Trial:
     return replace(printed_trial(0.1, _NOISE, section_radius=_RADIUS), amplitude=amplitude)
 
 
-def _timed(
+def timed(
     jobs: Iterable[tuple[Trial, SimulatedCloud]],
     method: str,
     progress: Progress | None,

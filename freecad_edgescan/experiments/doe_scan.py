@@ -8,7 +8,7 @@ from the true edge, and at least 80 % of the expected edge points exist.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -153,10 +153,11 @@ def _run(task: RowTask, group: Group, cloud: SimulatedCloud) -> DoeRun:
         return _failed(trial, group, str(error) or type(error).__name__)
     errors = edge_errors(trial, edge.points) if len(edge) else np.array([np.nan])
     amplitude = edge.parameters.amplitude or trial.amplitude
+    edge_pitch = edge.parameters.edge_pitch or trial.edge_pitch
     completed = (
         edge.stops[1] == Stop.GATE
         and errors.max() <= amplitude / 2
-        and len(edge) >= FEWEST_POINTS * trial.nominal_points
+        and len(edge) >= FEWEST_POINTS * replace(trial, edge_pitch=edge_pitch).nominal_points
     )
     return DoeRun(
         *_place(trial, group),

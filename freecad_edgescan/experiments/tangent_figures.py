@@ -27,7 +27,7 @@ from .doe_result import Group
 from .doe_scan import scan_trial, trial_cloud
 from .partial_progress import PartialProgress
 
-__all__ = ["compare_tangents", "tangent_errors"]
+__all__ = ["compare_tangents", "tangent_errors", "tangents_along"]
 
 _GROUP: Group = ("square", 2)
 _EDGES = {"4.9": trial(2, 4), "4.11": trial(4, 15)}
@@ -60,11 +60,11 @@ def compare_tangents(
     note = f"Walks of experiment {_HARDEST} that completed (quadratic, as printed): " + ", ".join(
         f"{way} {count}" for way, count in completed.items()
     )
-    figures = [_tangents_along(number, row, seed) for number, row in _EDGES.items()]
+    figures = [tangents_along(number, row, seed) for number, row in _EDGES.items()]
     return (*figures[:-1], replace(figures[-1], notes=(*figures[-1].notes, note)))
 
 
-def _tangents_along(number: str, row: Trial, seed: int) -> Curves:
+def tangents_along(number: str, row: Trial, seed: int) -> Curves:
     """Errors of the three ways at every line of one scan."""
     walk = _Recorder()
     edge = scan_trial(row, trial_cloud(row, seed), _GROUP, progress=walk)
