@@ -7,7 +7,9 @@ arcs, offset by the probe radius and intersected (Schreve 5.2, appendices C and 
 no arcs gives `model_error`, that points scatter about them gives `noise_error`.
 
 The surfaces of the source are hollow, as seen from the air. A negative section radius stands for
-surfaces that bulge into the air, infinity for planes; the same equations hold.
+surfaces that bulge into the air, infinity for planes. A negative probe radius stands for a ball
+inside the smaller wedge of the two surfaces, which cannot come nearer to the edge than a rounding
+of its own radius lets it: give that as the fillet radius at least. The same equations hold.
 """
 
 from __future__ import annotations
@@ -27,7 +29,7 @@ __all__ = [
 
 Array = NDArray[np.float64]
 
-_DEGREES = (1, 2)
+_DEGREES = (1, 2, 3)  # the source stops at 2
 _NEWTON_STEPS = 30
 
 
@@ -86,7 +88,7 @@ def largest_deviation(degree: int, s_over_r: ArrayLike) -> Array:
 
     Parameters
     ----------
-    degree : 1 or 2
+    degree : 1, 2 or 3
     s_over_r : (...) length of the arc over its radius, up to 2π
 
     Notes
@@ -110,7 +112,7 @@ def model_error(
 
     Parameters
     ----------
-    degree : of the polynomials, 1 or 2
+    degree : of the polynomials, 1, 2 or 3
     arc_length : (...) s of a line section, along the probe's centres, mm
     section_radius : R, mm; negative: the surfaces bulge into the air; infinite: planes
     angle : intersection angle θ in (0, π), rad
@@ -194,7 +196,7 @@ def noise_error(
 def _centre_radius(section_radius: float, probe_radius: float) -> float:
     """Radius r = R - R_p of the arc of the probe's centres, mm."""
     radius = section_radius - probe_radius
-    if radius * section_radius <= 0.0:
+    if radius * section_radius <= 0.0 and np.isfinite(radius):
         raise ValueError(
             f"A probe of radius {probe_radius:g} mm does not fit into a hollow surface of radius "
             f"{section_radius:g} mm; check the radii."
@@ -239,4 +241,4 @@ def _offset(fit: ArcPolynomial, u: Array, distance: float) -> tuple[Array, Array
 
 def _check_degree(degree: int) -> None:
     if degree not in _DEGREES:
-        raise ValueError(f"The degree is {degree!r}; the error model knows 1 and 2.")
+        raise ValueError(f"The degree is {degree!r}; the error model knows 1, 2 and 3.")

@@ -53,13 +53,15 @@ class Surroundings:
 
     Attributes
     ----------
-    section_radius : R of the surfaces across the edge, mm; negative: they bulge into the air;
-        infinite: planes
+    section_radius : R of the surfaces across the edge, mm, with the centre outside of their
+        smaller wedge; negative: the centre is on the wedge's side; infinite: planes
     angle : intersection angle θ in (0, π), rad
     fillet_radius : R_f, mm
     probe_radius : R_p, mm
     cloud_pitch : ρ_c, mm
     noise_level : η, mm
+    convex : whether material fills the smaller wedge, so that the probe goes round the edge;
+        otherwise it goes into the corner
     """
 
     section_radius: float
@@ -68,17 +70,27 @@ class Surroundings:
     probe_radius: float
     cloud_pitch: float
     noise_level: float
+    convex: bool = True
+
+    @property
+    def radii(self) -> tuple[float, float, float]:
+        """R, R_f, R_p as the error model takes them, mm."""
+        if self.convex:
+            return self.section_radius, self.fillet_radius, self.probe_radius
+        return self.section_radius, max(self.fillet_radius, self.probe_radius), -self.probe_radius
 
     @property
     def arc_radius(self) -> float:
         """Radius of the arc of the probe's centres, r = |R - R_p|, mm."""
-        return abs(self.section_radius - self.probe_radius)
+        section, _, probe = self.radii
+        return abs(section - probe)
 
     @property
     def rounding(self) -> float:
         """Length df = 2φ(R_p + R_f) of the way round the edge, mm (Schreve 5.3.4.6)."""
-        half = rounding_half_angle(self.section_radius, self.angle, self.fillet_radius)
-        return 2.0 * float(half) * (self.probe_radius + self.fillet_radius)
+        section, fillet, probe = self.radii
+        half = rounding_half_angle(section, self.angle, fillet)
+        return 2.0 * float(half) * (probe + fillet)
 
     def line_section(self, amplitude: float) -> float:
         """What a scan line of this amplitude leaves for each side, s = (A - df)/2, mm."""
@@ -125,7 +137,13 @@ class Guidelines:
     contradictions: tuple[str, ...]
 
     @classmethod
-    def of(cls, around: Surroundings, degree: int, line_pitch: float | None = None) -> Guidelines:
+    def of(
+        cls,
+        around: Surroundings,
+        degree: int,
+        line_pitch: float | None = None,
+        projected: bool = True,
+    ) -> Guidelines:
         """Guidelines for an edge.
 
         Parameters
@@ -133,6 +151,8 @@ class Guidelines:
         around : what is known about the edge
         degree : of the line sections
         line_pitch : the one that is used, mm; None: the least one
+        projected : whether points are projected square to the scanning plane, as printed; when
+            they are slid along the edge, that adds nothing to the noise
 
         Notes
         -----
@@ -185,9 +205,9 @@ class Guidelines:
             ),
             Bound("edge_pitch", optimum, step, "table 1", "as large as the line pitch."),
             Bound(
-                "tolerance", low, least_tolerance(around), "5.3.3.5.1.1",
-                f"the noise level of {around.noise_level:.3g} mm, and what points off the "
-                "scanning plane add to it.",
+                "tolerance", low, least_tolerance(around, projected), "5.3.3.5.1.1",
+                f"the noise level of {around.noise_level:.3g} mm"
+                + (", and what points off the scanning plane add to it." if projected else "."),
             ),
         )  # fmt: skip
         return cls(bounds, tuple(_contradictions(bounds)))
@@ -231,9 +251,15 @@ class Guidelines:
         return [b for b in self.bounds if b.parameter == parameter and b.limit is limit]
 
 
-def least_tolerance(around: Surroundings) -> float:
-    """Least scanning tolerance ε_min = η + ρ_c sin 10°, mm (Schreve eq. 5.3.3.5.1.1)."""
-    return around.noise_level + around.cloud_pitch * float(np.sin(_OFF_PLANE))
+def least_tolerance(around: Surroundings, projected: bool = True) -> float:
+    """Least scanning tolerance ε_min = η + ρ_c sin 10°, mm (Schreve eq. 5.3.3.5.1.1).
+
+    Parameters
+    ----------
+    projected : False leaves out the second term, see `Guidelines.of`
+    """
+    off = around.cloud_pitch * float(np.sin(_OFF_PLANE)) if projected else 0.0
+    return around.noise_level + off
 
 
 def check_possible(parameters: ScanParameters) -> None:

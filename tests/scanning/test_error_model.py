@@ -21,6 +21,7 @@ OBJECTS = (  # R, θ, R_f, R_p
     (20.0, np.radians(90.0), 0.0, 0.5),
     (15.0, np.radians(140.0), 3.0, 2.5),
     (-40.0, np.radians(120.0), 2.0, 1.0),
+    (30.0, np.radians(100.0), 1.5, -1.5),  # a ball that fills an inner corner
 )
 
 
@@ -68,7 +69,7 @@ def intersection(points: np.ndarray, s: np.ndarray, degree: int, probe: float) -
     def gap(pair: np.ndarray) -> np.ndarray:
         return offset(pair[0]) - offset(pair[1]) * [-1.0, 1.0]
 
-    return offset(fsolve(gap, [-0.3, -0.3], xtol=1e-13)[0])
+    return offset(fsolve(gap, [-0.3, -0.3], xtol=1e-10)[0])
 
 
 @pytest.mark.parametrize("degree", [1, 2])
@@ -165,7 +166,7 @@ def offset_curve(parts: np.ndarray, u: np.ndarray, probe: float) -> tuple[np.nda
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: model_error(3, 1.0, 50.0, ANGLE), "degree is 3"),
+        (lambda: model_error(4, 1.0, 50.0, ANGLE), "degree is 4"),
         (lambda: model_error(2, 0.0, 50.0, ANGLE), "positive"),
         (lambda: model_error(2, 1.0, 50.0, 3.5), "between 0 and pi"),
         (lambda: model_error(2, 1.0, 2.0, ANGLE, 0.0, 2.0), "does not fit into a hollow"),

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the cloud tells about an edge near a click: its two surfaces, its rounding, its points.
+
+A short piece of the edge is measured with patches. They give the surfaces' curvature, the angle
+and the rounding, which a probed scan has to know before it begins.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..cloud.point_cloud import PointCloud
+from .automatic import choose_parameters
+from .first_section import first_section, place_to_look
+from .gait import AdaptiveGait
+from .guidelines import Surroundings
+from .parameters import ScanParameters
+from .patch_edge import finish_edge
+from .patch_section import PatchSection
+from .scan_lines import ScanLines
+from .scanned_edge import ScannedEdge
+from .section import Frames, SectionPoints
+from .side_fit import SideFits
+from .start import Start
+from .trace import Trace, turned
+from .walker import walk
+
+__all__ = ["EdgeSite", "measure_site"]
+
+_STEPS = 8  # of the short walk, each way
+_MARGIN = 2.0  # cloud pitches, of a line's end from the cloud's
+_FLATTEST = 1e-5  # of a reach's turn, rad: below it a surface is plane
+
+
+@dataclass(frozen=True)
+class EdgeSite:
+    """A place on an edge and what was measured there.
+
+    Attributes
+    ----------
+    frame : the one section at the place, of the cloud's own points
+    room : how far along the surfaces both sides may be used, together, mm
+    around : the measured surroundings
+    air : (3,) unit vector from the edge into the air, or out of the smaller wedge where the air
+        is unknown
+    """
+
+    frame: Frames
+    room: float
+    around: Surroundings
+    air: np.ndarray
+
+
+def measure_site(
+    cloud: PointCloud,
+    at: Sequence[float] | np.ndarray | Start,
+    given: ScanParameters,
+    min_angle: float,
+) -> EdgeSite:
+    """Find the edge near a click or a start and measure it there.
+
+    Parameters
+    ----------
+    at : where the user pointed, mm
+    given : the probe and the amplitude in it are made use of
+    min_angle : least turn between the two sides, rad
+
+    Raises
+    ------
+    ScanError: no edge there, or no cloud there.
+    """
+    start = at if isinstance(at, Start) else None
+    near = place_to_look(cloud, at, given)
+    wanted = ScanParameters(probe_radius=given.probe_radius, approach=given.approach)
+    chosen = choose_parameters(cloud, near, wanted, min_angle)
+    if given.amplitude and given.amplitude > float(chosen.parameters.amplitude or 0.0):
+        # Somebody knows of a rounding that is wider than what is looked at by itself.
+        wanted = replace(wanted, amplitude=given.amplitude)
+        chosen = choose_parameters(cloud, near, wanted, min_angle)
+    seed = first_section(cloud, near, start, chosen)
+    chosen = chosen.with_seed(seed)
+    settings, first = chosen.settings, seed.station
+    section = PatchSection(cloud, settings)
+    gait = AdaptiveGait(settings.edge_pitch, settings.half_width, settings.longest_step)
+    onward = walk(section, first, gait, limit=_STEPS)
+    backward = walk(section, turned(first), gait, limit=_STEPS)
+    stations = [*(turned(s) for s in reversed(backward.stations)), first, *onward.stations]
+    edge = finish_edge(cloud, Trace(stations, (backward.stop, onward.stop)), chosen)
+    lines = edge.scan_lines
+    if not isinstance(lines, ScanLines):
+        raise TypeError("a scan with patches has patches")
+    probe = chosen.parameters.probe_radius or 0.0
+    frame = first.frame
+    places = frame.origin + 0.5 * settings.reach * frame.sides[0]
+    pitch = given.cloud_pitch or float(np.nanmax(cloud.local_pitch(places)[:, 0]))
+    inner = edge.convex is False
+    around = Surroundings(
+        section_radius=_section_radius(lines.fits, settings.reach, -probe if inner else probe),
+        angle=float(np.median(edge.angle)),
+        fillet_radius=_fillet_radius(edge),
+        probe_radius=probe,
+        cloud_pitch=pitch,
+        noise_level=float(np.sqrt(3.0) * cloud.noise),
+        convex=not inner,
+    )
+    outward = frame.normals[0].sum(axis=0) * (-1.0 if inner else 1.0)
+    return EdgeSite(
+        frame,
+        2.0 * _room(lines.points, seed.reach, _MARGIN * pitch),
+        around,
+        outward / np.linalg.norm(outward),
+    )
+
+
+def _room(points: SectionPoints, reach: float, margin: float) -> float:
+    """How far from the edge there are points on both sides, mm, within reach."""
+    ends = np.zeros((points.owner.max() + 1, 2))
+    np.maximum.at(ends, (points.owner, points.side), points.away)
+    return min(reach, float(np.median(ends, axis=0).min()) - margin)
+
+
+def _section_radius(fits: SideFits, reach: float, offset: float) -> float:
+    """Radius across the edge of the more bent one of the two surfaces of the part, mm."""
+    curvature = np.median(fits.coefficients[..., 2] / fits.reach, axis=0)
+    strongest = float(curvature[np.argmax(np.abs(curvature))])
+    if abs(strongest) * reach < _FLATTEST:
+        return float(np.inf)
+    return 1.0 / strongest + offset
+
+
+def _fillet_radius(edge: ScannedEdge) -> float:
+    """Radius of the rounding where most of the sections have one, mm; 0 otherwise."""
+    known = np.isfinite(edge.fillet_radius)
+    return float(np.median(edge.fillet_radius[known])) if known.mean() > 0.5 else 0.0
