@@ -103,8 +103,8 @@ def failures_table(result: DoeResult) -> str:
     if not failed:
         return "Every run completed."
     head = (
-        f"{len(failed)} {'run' if len(failed) == 1 else 'runs'} did not complete (* beyond its guideline: tolerance ratio and df/s "
-        "at most 1, s·κ_s at most 0.1 for lines, 0.6 for quadratics)",
+        f"{'1 run' if len(failed) == 1 else f'{len(failed)} runs'} did not complete (* beyond its "
+        "guideline: tolerance ratio and df/s at most 1, s·κ_s at most 0.1 for lines, else 0.6)",
         "                                               average maximum  edge points",
         "run        tolerance ratio     df/s    s·κ_s        mm      mm  of nominal   published"
         "  stop",

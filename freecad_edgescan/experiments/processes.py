@@ -161,11 +161,7 @@ class _Worker:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self.said,
-            env={
-                **os.environ,
-                **_ONE_THREAD,
-                "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
-            },
+            env={**os.environ, **_ONE_THREAD, "PYTHONPATH": _search_path()},
             start_new_session=True,
         )
 
@@ -197,6 +193,11 @@ class _Worker:
         """Stop at once."""
         self.process.kill()
         self.process.wait()
+
+
+def _search_path() -> str:
+    """Where modules are found here; an empty entry is the folder this process is in."""
+    return os.pathsep.join(entry or os.getcwd() for entry in sys.path)
 
 
 def _python() -> str:

@@ -5,6 +5,9 @@ from __future__ import annotations
 
 import math
 import os
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -65,3 +68,17 @@ def test_whoever_stops_iterating_ends_the_processes() -> None:
     work.close()
     with pytest.raises(ProcessLookupError):
         os.kill(news[1], 0)
+
+
+def test_modules_of_the_folder_one_is_in_are_found_there_too() -> None:
+    """An interactive Python looks for them in the entry '' of its path."""
+    code = (
+        "from freecad_edgescan.experiments.processes import map_in_processes;"
+        "print([news for news in map_in_processes(abs, [-1, -2], 2) if news])"
+    )
+    checkout = Path(__file__).resolve().parents[2]
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    run = subprocess.run(
+        [sys.executable, "-c", code], cwd=checkout, env=environment, capture_output=True, text=True
+    )
+    assert sorted(eval(run.stdout)) == [(0, 1), (1, 2)]
