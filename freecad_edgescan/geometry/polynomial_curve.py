@@ -12,6 +12,7 @@ import numpy as np
 __all__ = ["OffsetCurve", "PlaneCurve", "PolynomialCurve", "fit_polynomial", "meeting_parameters"]
 
 _NEWTON_STEPS = 6
+_CLOSE = 1e-6  # of a curve's length; the distance to the curve is stationary there
 _SAMPLES = 48  # of each curve, where its meeting with the other one is looked for
 _FARTHEST = 3.0  # of a curve's own length: how far it may be drawn out
 
@@ -80,14 +81,14 @@ class PolynomialCurve:
             return (points - self.coefficients[0]) @ way / (way @ way)
         u = start
         for _ in range(_NEWTON_STEPS):
-            off, slope = self.at(u) - points, self.derivative(u)
-            gradient = np.einsum("ni,ni->n", off, slope)
-            steepness = np.einsum("ni,ni->n", slope, slope)
-            bend = np.einsum("ni,ni->n", off, self.second_derivative(u))
+            off, slope, bent = self.at(u) - points, self.derivative(u), self.second_derivative(u)
+            gradient = (off * slope).sum(axis=1)
+            steepness = (slope * slope).sum(axis=1)
+            bend = (off * bent).sum(axis=1)
             # Where the bend would turn Newton's step round, Gauss' step is taken.
             step = gradient / np.where(bend > -0.5 * steepness, steepness + bend, steepness)
             u = u - step
-            if np.abs(step).max() < 1e-9:
+            if np.abs(step).max() < _CLOSE:
                 break
         return u
 
@@ -265,8 +266,8 @@ def _polylines_meet(first: PlaneCurve, second: PlaneCurve) -> tuple[float, float
 
 
 def _horner(coefficients: np.ndarray, u: np.ndarray | float) -> np.ndarray:
-    u = np.asarray(u, dtype=float)[..., None]
-    value = coefficients[-1] + 0.0 * u
+    where = u if isinstance(u, float) else np.asarray(u, dtype=float)[..., None]
+    value = coefficients[-1] + 0.0 * where
     for c in coefficients[-2::-1]:
-        value = value * u + c
+        value = value * where + c
     return value

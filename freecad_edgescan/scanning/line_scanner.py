@@ -172,7 +172,7 @@ class LineScanner:
             contact = self._step_on(line) if safeguards.step_on else None
             if contact is None:
                 raise _Halted(Stop.REPEATED_POINT)
-        gap = line.gap_to(contact)
+        gap = hypot(*line.step_to(contact))
         if gap > _LARGEST_GAP * pitch:
             self._refill(line, contact, ceil(gap / pitch) - 1)
         line.add(contact)
@@ -207,7 +207,7 @@ class LineScanner:
         for turn in turns:
             ux, uy = cos(angle + turn), sin(angle + turn)
             contact, _ = self._touch(line.plane, x + pitch * ux, y + pitch * uy, -uy, ux)
-            if contact is not None and line.gap_to(contact) < self.settings.amplitude:
+            if contact is not None and hypot(*line.step_to(contact)) < self.settings.amplitude:
                 return contact
         return None
 
@@ -226,9 +226,10 @@ class LineScanner:
             )
             if between is None:
                 continue
-            along = line.progress(between, (ux, uy))
-            left = size - line.progress_from((x, y), between, (ux, uy))
-            if along > _LEAST_PROGRESS * pitch and left > _LEAST_PROGRESS * pitch:
+            dx, dy = line.step_to(between)
+            bx, by = line.plane.coordinates(between)
+            left = (ex - bx) * ux + (ey - by) * uy
+            if min(dx * ux + dy * uy, left) > _LEAST_PROGRESS * pitch:
                 line.add(between)
 
     def _touch(
@@ -291,28 +292,21 @@ class _Line:
         self.contacts.append(contact)
         self.xy.append(here)
 
-    def gap_to(self, contact: np.ndarray) -> float:
-        x, y = self.plane.coordinates(contact)
-        return hypot(x - self.end[0], y - self.end[1])
-
-    def progress(self, contact: np.ndarray, way: tuple[float, float]) -> float:
-        return self.progress_from(self.end, contact, way)
-
-    def progress_from(
-        self, start: tuple[float, float], contact: np.ndarray, way: tuple[float, float]
-    ) -> float:
-        x, y = self.plane.coordinates(contact)
-        return (x - start[0]) * way[0] + (y - start[1]) * way[1]
+    def step_to(self, contact: np.ndarray) -> tuple[float, float]:
+        """From the last contact to another one, in the plane."""
+        (x, y), (hx, hy) = self.xy[-1], self.plane.coordinates(contact)
+        return hx - x, hy - y
 
     def moved_on(self, contact: np.ndarray, pitch: float, strict: bool) -> bool:
         """Whether a contact is another one than the last, and (strictly) does not lead back."""
         offset = contact - self.contacts[-1]
         if float(offset @ offset) < (_SAME_POINT * pitch) ** 2:
             return False
-        gap = self.gap_to(contact)
-        return not strict or (
-            gap > _LEAST_PROGRESS * pitch and self.progress(contact, self.heading) > _BACK * gap
-        )
+        if not strict:
+            return True
+        dx, dy = self.step_to(contact)
+        gap, ahead = hypot(dx, dy), dx * self.heading[0] + dy * self.heading[1]
+        return gap > _LEAST_PROGRESS * pitch and ahead > _BACK * gap
 
     def complete(self, amplitude: float, half_line: float) -> bool:
         """Whether the line is long enough, as a whole and behind the edge (Schreve 4.2.3)."""

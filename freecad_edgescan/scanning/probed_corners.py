@@ -18,11 +18,14 @@ import numpy as np
 from ..geometry.polynomial_curve import OffsetCurve, fit_polynomial, meeting_parameters
 from .corner import across_axes
 from .probe_settings import ProbeSettings
-from .probed_line import LineSection, ProbedLine, measure_line
+from .probed_line import LineSection, ProbedLine, measure_line, without_rounding
+from .probed_rounding import rounding_begins
 from .section import Frames, frames_from_sides, unrolled
 from .stop import Stop
 
 __all__ = ["ProbedCorners", "carried_lines", "corners_of_lines"]
+
+_FEWEST_LINES = 8  # that can agree where a rounding begins
 
 
 @dataclass(frozen=True)
@@ -87,7 +90,23 @@ def carried_lines(
         wedge = line.rough_sides.sum(axis=0)
         again = measure_line(contacts, origin, tangent, across, starts_on, settings, wedge)
         carried.append(line if isinstance(again, Stop) else again)
-    return carried
+    agreed = settings.safeguards.agreed_cleaning and settings.degree > 1
+    if not agreed or len(lines) < _FEWEST_LINES:
+        return carried
+    begins = [_begin(carried, frames, k) for k in range(2)]
+    return [
+        without_rounding(line, frames.origin[j], begins, settings) for j, line in enumerate(carried)
+    ]
+
+
+def _begin(lines: Sequence[ProbedLine], frames: Frames, k: int) -> float:
+    """Where the rounding of surface k begins, mm from the edge."""
+    sides = []
+    for j, line in enumerate(lines):
+        axes = np.array([frames.sides[j, k], frames.normals[j, k]]) @ line.axes.T
+        middle = (frames.origin[j] - line.origin) @ line.axes.T
+        sides.append((line.sections[k].points - middle) @ axes.T)
+    return rounding_begins(sides)
 
 
 def corners_of_lines(lines: Sequence[ProbedLine], frames: Frames, distance: float) -> ProbedCorners:

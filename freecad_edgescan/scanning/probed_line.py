@@ -7,7 +7,8 @@ touched on a rounding, and each section is fitted by a polynomial of low degree 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -15,7 +16,7 @@ from ..geometry.polynomial_curve import PolynomialCurve, fit_polynomial, meeting
 from .probe_settings import ProbeSettings
 from .stop import Stop
 
-__all__ = ["LineSection", "ProbedLine", "measure_line"]
+__all__ = ["LineSection", "ProbedLine", "farthest_from_chord", "measure_line", "without_rounding"]
 
 
 @dataclass(frozen=True)
@@ -186,6 +187,39 @@ def _halves(points: np.ndarray, split: int, settings: ProbeSettings) -> _Halves 
         return _Halves((first, second), None, np.inf)
     miss = np.linalg.norm(first.curve.at(met[0]) - points[split])
     return _Halves((first, second), met, float(miss))
+
+
+def without_rounding(
+    line: ProbedLine, edge: np.ndarray, begins: Sequence[float], settings: ProbeSettings
+) -> ProbedLine:
+    """The same line without the points of both sides that lie nearer to the edge than they begin.
+
+    Parameters
+    ----------
+    edge : (3,) mm, the edge
+    begins : of the two sides, mm from the edge
+
+    Returns
+    -------
+    the line, or the old one where too little would be left of it
+    """
+    middle, sections = (edge - line.origin) @ line.axes.T, []
+    for section, begin in zip(line.sections, begins, strict=True):
+        away = np.linalg.norm(section.points - middle, axis=1)
+        count = int(np.count_nonzero(np.minimum.accumulate(away) >= begin))
+        if count == len(away):
+            sections.append(section)
+            continue
+        left = _section(section.contacts[:count], section.points[:count], settings)
+        if left is None or left.curve.degree < section.curve.degree:
+            return line
+        kept = np.zeros(len(away), dtype=bool)
+        kept[:count] = left.kept
+        sections.append(replace(section, kept=kept, curve=left.curve))
+    met = meeting_parameters(sections[0].curve, sections[1].curve)
+    if met is None:
+        return line
+    return replace(line, sections=(sections[0], sections[1]), meeting=met)
 
 
 def farthest_from_chord(points: np.ndarray, wedge: float = 0.0) -> int:

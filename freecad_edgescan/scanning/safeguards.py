@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -22,6 +22,9 @@ class Safeguards:
         not at the one farthest from the chord on either side
     quadratic_cleaning : the points on a rounding are found with a quadratic, also where a line is
         fitted afterwards; on a curved side a line would give up good points
+    agreed_cleaning : where the rounding begins is decided by all lines of the edge together,
+        whatever the tolerance lets pass; not for lines, which follow no curved side and do better
+        with points near the edge
     near_points : a line that does not hold the tolerance gives up its points far from the edge,
         where the surface has bent away, instead of those near it
     spare_points : points a section keeps when the tolerance is below the noise; cleaning to the
@@ -43,6 +46,7 @@ class Safeguards:
     slide: bool = True
     signed_split: bool = True
     quadratic_cleaning: bool = True
+    agreed_cleaning: bool = True
     near_points: bool = True
     spare_points: bool = True
     smoothing: float = 0.5
@@ -56,4 +60,5 @@ class Safeguards:
     @classmethod
     def none(cls) -> Safeguards:
         """The algorithm as printed."""
-        return cls(False, False, False, False, False, 0.0, np.pi, 0, False, False, False, False)
+        off = {field.name: False for field in fields(cls) if field.type == "bool"}
+        return cls(**off, smoothing=0.0, largest_turn=float(np.pi), coasting=0)
