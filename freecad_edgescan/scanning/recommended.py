@@ -23,7 +23,13 @@ from .parameters import Pattern, ScanParameters
 from .safeguards import Safeguards
 from .start import Start
 
-__all__ = ["ProbeChoice", "choose_for_site", "choose_probe_parameters", "complete_for_cmm"]
+__all__ = [
+    "ProbeChoice",
+    "choose_for_site",
+    "choose_probe_parameters",
+    "complete_for_cmm",
+    "measure_and_choose",
+]
 
 Point = Sequence[float] | np.ndarray
 
@@ -83,10 +89,22 @@ def choose_probe_parameters(
         filled = _with_distances(known, float(known.cloud_pitch or 0.0), reasons)
         check_possible(filled)
         return filled, reasons, at
+    site, choice = measure_and_choose(cloud, at, given, min_angle)
+    start = at if isinstance(at, Start) else _start_on(cloud, site, choice.parameters)
+    return choice.parameters, choice.reasons, start
+
+
+def measure_and_choose(
+    cloud: PointCloud, at: Point | Start, given: ScanParameters, min_angle: float
+) -> tuple[EdgeSite, ProbeChoice]:
+    """Measure an edge and choose the parameters of a probed scan for it.
+
+    Parameters and errors: see `choose_probe_parameters`.
+    """
+    known, reasons = _from_cloud(cloud, given)
     site = measure_site(cloud, at, known, min_angle)
     choice = choose_for_site(site, known)
-    start = at if isinstance(at, Start) else _start_on(cloud, site, choice.parameters)
-    return choice.parameters, {**choice.reasons, **reasons}, start
+    return site, replace(choice, reasons={**choice.reasons, **reasons})
 
 
 def complete_for_cmm(cmm: Cmm, given: ScanParameters) -> tuple[ScanParameters, dict[str, str]]:
@@ -135,13 +153,19 @@ def choose_for_site(site: EdgeSite, given: ScanParameters) -> ProbeChoice:
         bias, scatter = line.expected.model_bias, best.expected.noise_error
         straight = bias < _UNSEEN * scatter
         best = line if straight else best
-        best.reasons["degree"] = (
-            f"a line would be off by {bias:.2g} mm all along the edge, "
-            f"{'far below' if straight else 'too much for'} the {scatter:.2g} mm that noise does "
-            "to a quadratic"
-        )
+        best.reasons["degree"] = _why(straight, bias, scatter)
     check_possible(best.parameters)
     return best
+
+
+def _why(straight: bool, bias: float, scatter: float) -> str:
+    if not np.isfinite(scatter):
+        return "the amplitude has not enough points for a quadratic"
+    return (
+        f"a line would be off by {bias:.2g} mm all along the edge, "
+        f"{'far below' if straight else 'too much for'} the {scatter:.2g} mm that noise does "
+        "to a quadratic"
+    )
 
 
 def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoice:
@@ -187,11 +211,12 @@ def _amplitude(site: EdgeSite, degree: int, line_pitch: float) -> tuple[float, s
 def _line_pitch(around: Surroundings, amplitude: float, degree: int) -> tuple[float, str]:
     """As many points as the cloud and the published scans have, but enough for the degree."""
     least = LEAST_PITCHES * around.cloud_pitch
-    possible = 0.49 * amplitude / (degree + 1)  # more than q + 1 points (4.7.1.1)
+    length = around.line_section(amplitude)
+    possible = min(0.49 * amplitude, max(length, 0.0)) / (degree + 1)  # q + 1 points (4.7.1.1)
     if possible < least:
         tight = max(possible, around.cloud_pitch)
         return tight, f"the short amplitude leaves no more for degree {degree}"
-    many = around.line_section(amplitude) / _MOST_POINTS
+    many = length / _MOST_POINTS
     if many > least:
         return many, f"{_MOST_POINTS} points on each side"
     return least, f"{LEAST_PITCHES:g} times the cloud pitch of {around.cloud_pitch:.3g} mm (4.4.4)"
