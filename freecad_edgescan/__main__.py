@@ -72,6 +72,12 @@ def _scan(options: argparse.Namespace) -> int:
     return scan_file(options)
 
 
+def _recommend(options: argparse.Namespace) -> int:
+    from freecad_edgescan.recommend_command import recommend_for_file
+
+    return recommend_for_file(options)
+
+
 def _info(options: argparse.Namespace) -> int:
     import numpy as np
 
@@ -168,6 +174,7 @@ def _demo(options: argparse.Namespace) -> int:
 
 COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "scan": _scan,
+    "recommend": _recommend,
     "info": _info,
     "bench": _bench,
     "accuracy": _accuracy,

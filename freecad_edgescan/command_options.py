@@ -75,15 +75,8 @@ def _parser() -> argparse.ArgumentParser:
     scan.add_argument(
         "--gate-across", type=_vector, metavar="DX,DY,DZ", help="from the gate over the edge"
     )
-    scan.add_argument("--amplitude", type=_number, metavar="MM", help="both sides together")
-    scan.add_argument("--edge-pitch", type=_number, metavar="MM", help="distance of edge points")
-    scan.add_argument(
-        "--probe-radius", type=_number, default=0.0, metavar="MM",
-        help="the cloud holds centres of a ball of this radius",
-    )  # fmt: skip
-    scan.add_argument(
-        "--approach", type=_vector, metavar="DX,DY,DZ", help="direction the probe came along"
-    )
+    _add_sizes(scan)
+    _add_probe(scan)
     scan.add_argument(
         "-o", "--output", type=Path, action="append", default=[], metavar="FILE",
         help=".step for CAD (needs FreeCAD), .csv for edge points with sigma; repeatable. Several "
@@ -98,6 +91,21 @@ def _parser() -> argparse.ArgumentParser:
         "--section", type=Path, metavar="FILE.png",
         help="the section of the first edge where it was clicked, drawn",
     )  # fmt: skip
+
+    recommend = _add_command(
+        commands, "recommend", "how to scan an edge, and the error to expect of it"
+    )
+    _add_file(recommend)
+    recommend.add_argument(
+        "--at", type=_vector, action="append", default=[], metavar="X,Y,Z",
+        help="a point near an edge, mm; repeat for more edges",
+    )  # fmt: skip
+    recommend.add_argument(
+        "--method", choices=("probe", "patch"), default="probe",
+        help="probe: line by line like a measuring machine (default); patch: all points at once",
+    )  # fmt: skip
+    _add_sizes(recommend)
+    _add_probe(recommend)
 
     info = _add_command(commands, "info", "what is in a cloud file")
     _add_file(info)
@@ -158,6 +166,21 @@ def _add_file(command: argparse.ArgumentParser) -> None:
     command.add_argument("file", help=".xyz .txt .asc .csv .ply .pcd")
     command.add_argument(
         "--unit", choices=UNITS, help="of the file (default: mm); all the rest is mm"
+    )
+
+
+def _add_sizes(command: argparse.ArgumentParser) -> None:
+    command.add_argument("--amplitude", type=_number, metavar="MM", help="both sides together")
+    command.add_argument("--edge-pitch", type=_number, metavar="MM", help="distance of edge points")
+
+
+def _add_probe(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--probe-radius", type=_number, default=0.0, metavar="MM",
+        help="the cloud holds centres of a ball of this radius",
+    )  # fmt: skip
+    command.add_argument(
+        "--approach", type=_vector, metavar="DX,DY,DZ", help="direction the probe came along"
     )
 
 

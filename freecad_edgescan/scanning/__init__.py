@@ -4,6 +4,7 @@
 from .errors import ScanError
 from .parameters import Compensation, Pattern, ScanParameters, Steering, Tangent
 from .progress import Progress, SoFar
+from .recommendation import Recommendation, recommend_parameters
 from .scan import scan_edge
 from .scan_lines import ScanLine, ScanLines
 from .scanned_edge import ScannedEdge
@@ -17,6 +18,7 @@ __all__ = [
     "Gate",
     "Pattern",
     "Progress",
+    "Recommendation",
     "ScanError",
     "ScanLine",
     "ScanLines",
@@ -29,5 +31,6 @@ __all__ = [
     "Steering",
     "Stop",
     "Tangent",
+    "recommend_parameters",
     "scan_edge",
 ]

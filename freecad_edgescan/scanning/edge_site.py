@@ -44,6 +44,7 @@ class EdgeSite:
     frame : the one section at the place, of the cloud's own points
     room : how far along the surfaces both sides may be used, together, mm
     around : the measured surroundings
+    sigma : of an edge point measured with patches, both directions across the edge together, mm
     air : (3,) unit vector from the edge into the air, or out of the smaller wedge where the air
         is unknown
     """
@@ -51,6 +52,7 @@ class EdgeSite:
     frame: Frames
     room: float
     around: Surroundings
+    sigma: float
     air: np.ndarray
 
 
@@ -111,6 +113,7 @@ def measure_site(
         frame,
         2.0 * _room(lines.points, seed.reach, _MARGIN * pitch),
         around,
+        float(np.median(np.sqrt(np.trace(edge.covariance, axis1=1, axis2=2)))),
         outward / np.linalg.norm(outward),
     )
 

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""``edgescan recommend``: how to scan the edge near a point, and what will come of it."""
+
+from __future__ import annotations
+
+import argparse
+
+from freecad_edgescan.file_unit import read_in_mm
+from freecad_edgescan.scanning import ScanError, ScanParameters, recommend_parameters
+
+__all__ = ["recommend_for_file"]
+
+
+def recommend_for_file(options: argparse.Namespace) -> int:
+    """Measure each edge, print, answer the exit code."""
+    if not options.at:
+        raise ScanError(
+            "There is no place to look at; give --at X,Y,Z, a point near an edge. "
+            "edgescan info FILE --picture FILE.png shows where edges are."
+        )
+    parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
+    cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
+    texts = [
+        recommend_parameters(cloud, at, parameters, options.method).text() for at in options.at
+    ]
+    print("\n\n".join(texts))
+    return 0
