@@ -24,7 +24,7 @@ __all__ = ["ProbeSection"]
 _DEGENERATED = 0.25  # edge pitches a zigzag's turning point may be off before it is laid anew
 _ELSEWHERE = 2.0  # amplitudes from the last edge point: the machine has come from another walk
 _LARGEST_LEAN = 0.7  # rad, of a side against the side it was before
-_FARTHEST = 0.5  # amplitudes an edge point may lie from where it was predicted
+_JUMP = 1.0  # steps that an edge point may lie aside of where it was predicted
 
 
 class ProbeSection:
@@ -79,17 +79,24 @@ class ProbeSection:
         if isinstance(line, Stop):
             return Station(predicted, stop=line)
         safeguards = self.settings.safeguards
-        point = line.edge_point
-        away = float(np.linalg.norm(point - origin))
-        sides = line.rough_sides
-        agree = np.einsum("ki,ki->k", sides, predicted.sides[0]).min()
-        if safeguards.coasting and (
-            away > _FARTHEST * self.settings.amplitude or agree < np.cos(_LARGEST_LEAN)
-        ):
+        point, sides = line.edge_point, line.rough_sides
+        if safeguards.plausible and not self._plausible(point, sides, predicted, last):
             return Station(predicted, stop=Stop.NO_EDGE)
         tangent = edge_tangent(line, before, point, last.frame.origin[0], tangent, self.settings)
         sides = (1.0 - safeguards.smoothing) * sides + safeguards.smoothing * predicted.sides[0]
         return Station(frames_from_sides(point[None], tangent[None], sides[None]), line=line)
+
+    def _plausible(
+        self, point: np.ndarray, sides: np.ndarray, predicted: Frames, last: Station
+    ) -> bool:
+        """Whether a line shows the edge that is walked along, and not just some other bend."""
+        off = point - predicted.origin[0]
+        step = float(np.linalg.norm(predicted.origin[0] - last.frame.origin[0]))
+        aside = off - (off @ predicted.tangent[0]) * predicted.tangent[0]
+        if np.linalg.norm(aside) > _JUMP * step + self.settings.tolerance:
+            return False
+        lean = np.einsum("ki,ki->k", sides, predicted.sides[0]).min()
+        return bool(lean > np.cos(_LARGEST_LEAN))
 
     def ending(self, last: Station, stop: Stop) -> Stop:
         """A line without an edge says itself why."""

@@ -46,9 +46,9 @@ def edge_tangent(
     tangent = tangent / size
     if tangent @ known < 0.0:
         tangent = -tangent
+    tangent = _turned_at_most(known, tangent, safeguards.largest_turn)
     tangent = (1.0 - safeguards.smoothing) * tangent + safeguards.smoothing * known
-    tangent = tangent / np.linalg.norm(tangent)
-    return _turned_at_most(known, tangent, safeguards.largest_turn)
+    return np.asarray(tangent / np.linalg.norm(tangent))
 
 
 def _surface_normal(line: ProbedLine, before: ProbedLine, k: int) -> np.ndarray:

@@ -29,8 +29,10 @@ class Safeguards:
         where the surface has bent away, instead of those near it
     spare_points : points a section keeps when the tolerance is below the noise; cleaning to the
         last point would leave a curve through noise
+    plausible : an edge point aside of its prediction by more than the step, or a side that leans
+        against the last one by more than 40°, comes from a bad line
     smoothing : share of the last tangent and sides in the new ones, 0 … 1
-    largest_turn : of the tangent between two lines, rad
+    largest_turn : of a line's own tangent against the last one, before they are averaged, rad
     coasting : lines without an edge point in sequence that are passed over
     step_on : a point touched twice is passed over in a longer step
     feel_round : where nothing is touched the probe is led round the edge in small turns, instead
@@ -49,6 +51,7 @@ class Safeguards:
     agreed_cleaning: bool = True
     near_points: bool = True
     spare_points: bool = True
+    plausible: bool = True
     smoothing: float = 0.5
     largest_turn: float = float(np.radians(15.0))
     coasting: int = 3
