@@ -21,8 +21,12 @@ if TYPE_CHECKING:
     from freecad_edgescan.cloud import read_cloud as read_cloud
     from freecad_edgescan.cloud import write_cloud as write_cloud
     from freecad_edgescan.geometry import BSplineCurve as BSplineCurve
+    from freecad_edgescan.scanning import AnalyticCmm as AnalyticCmm
+    from freecad_edgescan.scanning import Cmm as Cmm
     from freecad_edgescan.scanning import Gate as Gate
+    from freecad_edgescan.scanning import PointCloudCmm as PointCloudCmm
     from freecad_edgescan.scanning import Progress as Progress
+    from freecad_edgescan.scanning import Safeguards as Safeguards
     from freecad_edgescan.scanning import ScanError as ScanError
     from freecad_edgescan.scanning import ScannedEdge as ScannedEdge
     from freecad_edgescan.scanning import ScanParameters as ScanParameters
@@ -53,6 +57,10 @@ _HOME_OF = {
     "ScannedEdge": "scanning",
     "ScanError": "scanning",
     "Section": "scanning",
+    "Cmm": "scanning",
+    "AnalyticCmm": "scanning",
+    "PointCloudCmm": "scanning",
+    "Safeguards": "scanning",
     "Progress": "scanning",
     # geometry
     "BSplineCurve": "geometry",

@@ -1,10 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Scanning of edges: from a cloud and a click to edge points with their uncertainty."""
 
+from .analytic_cmm import AnalyticCmm
+from .cmm import Cmm
 from .errors import ScanError
 from .parameters import Compensation, Pattern, ScanParameters, Steering, Tangent
+from .point_cloud_cmm import PointCloudCmm
+from .probed_lines import ProbedLines
 from .progress import Progress, SoFar
 from .recommendation import Recommendation, recommend_parameters
+from .safeguards import Safeguards
 from .scan import scan_edge
 from .scan_lines import ScanLine, ScanLines
 from .scanned_edge import ScannedEdge
@@ -13,6 +18,11 @@ from .start import Gate, Start
 from .stop import Stop
 
 __all__ = [
+    "AnalyticCmm",
+    "Cmm",
+    "PointCloudCmm",
+    "ProbedLines",
+    "Safeguards",
     "Compensation",
     "Frames",
     "Gate",

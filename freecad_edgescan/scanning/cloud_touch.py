@@ -130,8 +130,8 @@ class TriangleTouch:
 
     @property
     def corridor(self) -> float:
-        """Corners lie up to two pitches from the line."""
-        return 2.0 * self.pitch
+        """Corners lie up to three pitches from the line."""
+        return 3.0 * self.pitch
 
     def first(
         self, points: np.ndarray, start: np.ndarray, way: np.ndarray, farthest: float
