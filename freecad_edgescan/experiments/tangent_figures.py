@@ -77,8 +77,7 @@ def tangents_along(number: str, row: Trial, seed: int) -> Curves:
     for way in Tangent:
         chosen = replace(settings, tangent=way)
         tangents = [
-            edge_tangent(lines[j], lines[j - 1], points[j], points[j - 1], forward[j], chosen)
-            for j in range(1, len(lines))
+            edge_tangent(lines[j], lines[j - 1], forward[j], chosen) for j in range(1, len(lines))
         ]
         angles = tangent_errors(points[1:], np.array(tangents))
         curves.append(Curve.of(way.value, np.arange(1, len(lines)), angles, measured=True))

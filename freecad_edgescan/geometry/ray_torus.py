@@ -9,6 +9,7 @@ __all__ = ["ray_torus"]
 
 _REAL = 1e-4  # of the torus' size: imaginary part below which a root may be a double real one
 _NEWTON_STEPS = 12
+_POLISHED = 1e-13  # of the torus' size
 _ON_IT = 1e-9  # of the torus' size
 
 
@@ -62,6 +63,8 @@ def ray_torus(
         speed = (speed + p[:, 2] * way[2]) / np.maximum(distance, 1e-300)
         step = np.divide(gap, speed, out=np.zeros_like(gap), where=np.abs(speed) > 1e-12)
         u = u - np.clip(step, -0.01, 0.01)
+        if not len(u) or np.abs(step).max() < _POLISHED:
+            break
     p = s + u[:, None] * way
     rho = np.hypot(p[:, 0], p[:, 1])
     good = np.abs(np.hypot(rho - a, p[:, 2]) - r) < _ON_IT

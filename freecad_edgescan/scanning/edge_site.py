@@ -14,6 +14,7 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from .automatic import choose_parameters
+from .errors import ScanError
 from .first_section import first_section, place_to_look
 from .gait import AdaptiveGait
 from .guidelines import Surroundings
@@ -30,9 +31,11 @@ from .walker import walk
 
 __all__ = ["EdgeSite", "measure_site"]
 
+_LOOK = 4.0  # times what patches look at: on a wide rounding a short look finds a flat edge
 _STEPS = 8  # of the short walk, each way
+_PLACES = 40  # on each side, where the pitch is measured
 _MARGIN = 2.0  # cloud pitches, of a line's end from the cloud's
-_FLATTEST = 1e-5  # of a reach's turn, rad: below it a surface is plane
+_UNSEEN = 0.25  # of the noise: what a surface may rise over its length and be plane
 
 
 @dataclass(frozen=True)
@@ -42,7 +45,7 @@ class EdgeSite:
     Attributes
     ----------
     frame : the one section at the place, of the cloud's own points
-    room : how far along the surfaces both sides may be used, together, mm
+    room : how far along the surfaces, round the edge, both sides may be used together, mm
     around : the measured surroundings
     sigma : of an edge point measured with patches, both directions across the edge together, mm
     air : (3,) unit vector from the edge into the air, or out of the smaller wedge where the air
@@ -76,14 +79,16 @@ def measure_site(
     """
     start = at if isinstance(at, Start) else None
     near = place_to_look(cloud, at, given)
-    wanted = ScanParameters(probe_radius=given.probe_radius, approach=given.approach)
-    chosen = choose_parameters(cloud, near, wanted, min_angle)
-    if given.amplitude and given.amplitude > float(chosen.parameters.amplitude or 0.0):
-        # Somebody knows of a rounding that is wider than what is looked at by itself.
-        wanted = replace(wanted, amplitude=given.amplitude)
-        chosen = choose_parameters(cloud, near, wanted, min_angle)
-    seed = first_section(cloud, near, start, chosen)
-    chosen = chosen.with_seed(seed)
+    probe_only = ScanParameters(probe_radius=given.probe_radius, approach=given.approach)
+    chosen = choose_parameters(cloud, near, probe_only, min_angle)
+    short = chosen.settings.reach
+    farthest = max(_LOOK * short, 0.5 * (given.amplitude or 0.0))
+    wide = replace(chosen, settings=chosen.settings.with_reach(farthest))
+    try:
+        seed = first_section(cloud, near, start, wide)
+    except ScanError:  # on narrow sides only a short look finds them
+        seed, wide = first_section(cloud, near, start, chosen), chosen
+    chosen = wide.with_seed(seed)
     settings, first = chosen.settings, seed.station
     section = PatchSection(cloud, settings)
     gait = AdaptiveGait(settings.edge_pitch, settings.half_width, settings.longest_step)
@@ -96,11 +101,12 @@ def measure_site(
         raise TypeError("a scan with patches has patches")
     probe = chosen.parameters.probe_radius or 0.0
     frame = first.frame
-    places = frame.origin + 0.5 * settings.reach * frame.sides[0]
-    pitch = given.cloud_pitch or float(np.nanmax(cloud.local_pitch(places)[:, 0]))
+    pitch = given.cloud_pitch or _widest_pitch(cloud, lines.points, min(short, settings.reach))
+    room = min(seed.reach, _ends(lines.points))
     inner = edge.convex is False
+    offset = -probe if inner else probe
     around = Surroundings(
-        section_radius=_section_radius(lines.fits, settings.reach, -probe if inner else probe),
+        section_radius=_section_radius(lines.fits, room, settings.noise, offset),
         angle=float(np.median(edge.angle)),
         fillet_radius=_fillet_radius(edge),
         probe_radius=probe,
@@ -111,25 +117,43 @@ def measure_site(
     outward = frame.normals[0].sum(axis=0) * (-1.0 if inner else 1.0)
     return EdgeSite(
         frame,
-        2.0 * _room(lines.points, seed.reach, _MARGIN * pitch),
+        2.0 * (room - _MARGIN * pitch - around.cut_off) + around.rounding,
         around,
         float(np.median(np.sqrt(np.trace(edge.covariance, axis1=1, axis2=2)))),
         outward / np.linalg.norm(outward),
     )
 
 
-def _room(points: SectionPoints, reach: float, margin: float) -> float:
-    """How far from the edge there are points on both sides, mm, within reach."""
+def _widest_pitch(cloud: PointCloud, points: SectionPoints, reach: float) -> float:
+    """Pitch of the sparser side in the direction in which its points lie farthest apart, mm.
+
+    Half-way along the reach, where neither a rounding nor the cloud's end disturbs.
+    """
+    middle = np.abs(points.away - 0.5 * reach) < 0.25 * reach
+    widest = []
+    for side in (0, 1):
+        mine = points.side == side
+        index = np.unique(points.index[mine & middle if np.any(mine & middle) else mine])
+        sample = index[:: max(len(index) // _PLACES, 1)]
+        widest.append(np.nanmedian(cloud.local_pitch(cloud.points[sample])[:, 0]))
+    return float(max(widest))
+
+
+def _ends(points: SectionPoints) -> float:
+    """How far from the edge there are points on both sides, mm."""
     ends = np.zeros((points.owner.max() + 1, 2))
     np.maximum.at(ends, (points.owner, points.side), points.away)
-    return min(reach, float(np.median(ends, axis=0).min()) - margin)
+    return float(np.median(ends, axis=0).min())
 
 
-def _section_radius(fits: SideFits, reach: float, offset: float) -> float:
-    """Radius across the edge of the more bent one of the two surfaces of the part, mm."""
+def _section_radius(fits: SideFits, room: float, noise: float, offset: float) -> float:
+    """Radius across the edge of the more bent one of the two surfaces of the part, mm.
+
+    Infinite where neither departs from a plane by more than a fraction of the noise.
+    """
     curvature = np.median(fits.coefficients[..., 2] / fits.reach, axis=0)
     strongest = float(curvature[np.argmax(np.abs(curvature))])
-    if abs(strongest) * reach < _FLATTEST:
+    if abs(strongest) * room**2 < 8.0 * _UNSEEN * noise:
         return float(np.inf)
     return 1.0 / strongest + offset
 

@@ -14,7 +14,7 @@ from enum import StrEnum
 
 import numpy as np
 
-from .error_model import rounding_half_angle
+from .error_model import gap_to_edge, rounding_half_angle
 from .errors import ScanError
 from .parameters import ScanParameters
 
@@ -92,6 +92,18 @@ class Surroundings:
         half = rounding_half_angle(section, self.angle, fillet)
         return 2.0 * float(half) * (probe + fillet)
 
+    @property
+    def cut_off(self) -> float:
+        """What the way round the edge leaves out of each side, up to where the sides meet, mm."""
+        _, fillet, probe = self.radii
+        return (fillet + probe) * float(np.tan(0.5 * (np.pi - self.angle)))
+
+    @property
+    def gap(self) -> float:
+        """Length over which a line section is drawn out to the edge, mm."""
+        section, fillet, probe = self.radii
+        return gap_to_edge(section, self.angle, fillet, probe)
+
     def line_section(self, amplitude: float) -> float:
         """What a scan line of this amplitude leaves for each side, s = (A - df)/2, mm."""
         return 0.5 * (amplitude - self.rounding)
@@ -168,7 +180,7 @@ class Guidelines:
         arcs = ("5.3.4.6.4", "5.3.4.6.6") if kind == 1 else ("5.3.4.6.3", "5.3.4.6.5")
         pitches = ("5.3.4.7.3", "5.3.4.7.4") if kind == 1 else ("5.3.4.7.1", "5.3.4.7.2")
         low, high, optimum = Limit.MINIMUM, Limit.MAXIMUM, Limit.OPTIMUM
-        bounds = (
+        every = (
             Bound(
                 "amplitude", low, 3.0 * gap, "5.3.4.6.1",
                 f"the way round the edge takes {gap:.3g} mm; each side should be as long.",
@@ -210,6 +222,7 @@ class Guidelines:
                 + (", and what points off the scanning plane add to it." if projected else "."),
             ),
         )  # fmt: skip
+        bounds = tuple(bound for bound in every if np.isfinite(bound.value))  # planes have none
         return cls(bounds, tuple(_contradictions(bounds)))
 
     def least(self, parameter: str) -> float:

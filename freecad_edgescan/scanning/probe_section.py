@@ -40,6 +40,7 @@ class ProbeSection:
         self.settings = settings
         self.scanner = LineScanner(cmm, settings)
         self.failure: Exception | None = None
+        self._walked: list[ProbedLine] = []
 
     def begin(self, start: Start) -> Station:
         """Scan the first line, from a start as a person gives it (Schreve 4.6)."""
@@ -82,7 +83,10 @@ class ProbeSection:
         point, sides = line.edge_point, line.rough_sides
         if safeguards.plausible and not self._plausible(point, sides, predicted, last):
             return Station(predicted, stop=Stop.NO_EDGE)
-        tangent = edge_tangent(line, before, point, last.frame.origin[0], tangent, self.settings)
+        behind = self._back(last)
+        gap = np.linalg.norm(point - behind.edge_point)
+        if gap >= 0.5 * safeguards.baseline * self.settings.amplitude:
+            tangent = edge_tangent(line, behind, tangent, self.settings)
         sides = (1.0 - safeguards.smoothing) * sides + safeguards.smoothing * predicted.sides[0]
         return Station(frames_from_sides(point[None], tangent[None], sides[None]), line=line)
 
@@ -101,6 +105,22 @@ class ProbeSection:
     def ending(self, last: Station, stop: Stop) -> Stop:
         """A line without an edge says itself why."""
         return stop
+
+    def _back(self, last: Station) -> ProbedLine:
+        """The line behind from which the step to a new line tells the surfaces' normals."""
+        before, walked = last.line, self._walked
+        if before is None:
+            raise TypeError("a probed scan goes on from a line")
+        if any(line is before for line in walked[:-1]):
+            walked.clear()  # the walk begins once more, the other way
+        if not walked or walked[-1] is not before:
+            walked.append(before)
+        here, step = before.edge_point, self.settings.edge_pitch
+        least = self.settings.safeguards.baseline * self.settings.amplitude - 0.5 * step
+        for line in reversed(walked):
+            if np.linalg.norm(line.edge_point - here) + step > least:
+                return line
+        return walked[0]
 
     def _stands_on(self, before: ProbedLine, last: Station) -> int:
         """The surface the machine is over: a line that was passed over has changed sides."""

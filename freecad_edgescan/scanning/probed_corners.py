@@ -93,20 +93,20 @@ def carried_lines(
     agreed = settings.safeguards.agreed_cleaning and settings.degree > 1
     if not agreed or len(lines) < _FEWEST_LINES:
         return carried
-    begins = [_begin(carried, frames, k) for k in range(2)]
+    begins = [_begin(carried, frames, k, settings.tolerance) for k in range(2)]
     return [
         without_rounding(line, frames.origin[j], begins, settings) for j, line in enumerate(carried)
     ]
 
 
-def _begin(lines: Sequence[ProbedLine], frames: Frames, k: int) -> float:
+def _begin(lines: Sequence[ProbedLine], frames: Frames, k: int, tolerance: float) -> float:
     """Where the rounding of surface k begins, mm from the edge."""
     sides = []
     for j, line in enumerate(lines):
         axes = np.array([frames.sides[j, k], frames.normals[j, k]]) @ line.axes.T
         middle = (frames.origin[j] - line.origin) @ line.axes.T
         sides.append((line.sections[k].points - middle) @ axes.T)
-    return rounding_begins(sides)
+    return rounding_begins(sides, tolerance)
 
 
 def corners_of_lines(lines: Sequence[ProbedLine], frames: Frames, distance: float) -> ProbedCorners:

@@ -46,9 +46,12 @@ def finish_probed_edge(
     arrived : the gate it was to pass
     air_known : whether the approach tells on which side the air is
     """
-    walked = [station.line for station in trace.stations if station.line is not None]
+    stations = [station for station in trace.stations if station.line is not None]
+    walked = [station.line for station in stations if station.line is not None]
+    tangents = np.array([station.frame.tangent[0] for station in stations])
     sides = np.array([line.rough_sides for line in walked])
-    frames = smooth_frames(np.array([line.edge_point for line in walked]), sides)
+    edge_points = np.array([line.edge_point for line in walked])
+    frames = smooth_frames(edge_points, tangents, sides, 0.25 * settings.amplitude)
     convex = convex_by_approach(frames.normals, settings.approach)
     distance = settings.probe_radius if convex else -settings.probe_radius
     lines = carried_lines(walked, frames, settings) if settings.safeguards.slide else walked

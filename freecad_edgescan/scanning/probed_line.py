@@ -18,6 +18,8 @@ from .stop import Stop
 
 __all__ = ["LineSection", "ProbedLine", "farthest_from_chord", "measure_line", "without_rounding"]
 
+_DRAWN_OUT = 1.5  # of a section's length: how far its curve stands for the surface
+
 
 @dataclass(frozen=True)
 class LineSection:
@@ -96,6 +98,13 @@ class ProbedLine:
     def end(self, k: int) -> np.ndarray:
         """The end of section k nearest the edge, (3,) mm, on its curve."""
         return self.place(self.sections[k].curve.at(1.0))
+
+    def level_with(self, point: np.ndarray, k: int) -> np.ndarray:
+        """The place on the curve of section k that is closest to a point (3,) mm."""
+        curve = self.sections[k].curve
+        seen = (point - self.origin) @ self.axes.T
+        u = float(curve.closest(seen[None], np.ones(1))[0])
+        return self.place(curve.at(min(max(u, 0.0), _DRAWN_OUT)))
 
 
 def measure_line(

@@ -9,45 +9,66 @@ from .section import Frames, frames_from_sides
 
 __all__ = ["smooth_frames"]
 
-_MOST_POINTS = 10  # on each side of an edge point
+_MOST_POINTS = 10  # on each side of an edge point, or as many as lie within the length
 _FEWEST_POINTS = 3
+_TANGENTS = 0.2  # of the length: the error of a point that weighs like one radian of a tangent
 _MOST_TURN = 0.3  # rad, of the edge from the middle to the end of what is taken together
 
 
-def smooth_frames(points: np.ndarray, sides: np.ndarray) -> Frames:
+def smooth_frames(
+    points: np.ndarray, tangents: np.ndarray, sides: np.ndarray, length: float
+) -> Frames:
     """Sections on the parabolas that fit each edge point's neighbourhood best.
 
     A parabola over so many points that the edge turns little among them knows tangent and bend
-    far better than two following scan lines do, and its own middle is a smoothed edge point.
+    far better than two following scan lines do, and its own middle is a smoothed edge point. The
+    walk's own tangents count for little where the edge points reach far, and hold the direction
+    where they lie closer together than they scatter.
 
     Parameters
     ----------
     points : (m, 3) mm, edge points of the walk, m >= 2
+    tangents : (m, 3) unit vectors, its tangents
     sides : (m, 2, 3) unit vectors along the two surfaces, away from the edge
+    length : mm to each side of an edge point, that is taken together even if it holds many points
     """
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    at = np.append(0.0, np.cumsum(steps))
-    _, _, bend = _parabolas(points, at, _MOST_POINTS)
-    turn = np.median(np.linalg.norm(bend, axis=1)) * np.median(steps)
-    reach = int(np.clip(_MOST_TURN / max(turn, 1e-12), _FEWEST_POINTS, _MOST_POINTS))
-    origin, tangent, bend = _parabolas(points, at, reach)
+    at = np.append(0.0, np.cumsum(steps * np.abs(_along(points, tangents))))
+    step = float(np.median(steps))
+    most = max(_MOST_POINTS, round(length / max(step, 1e-12)))
+    weight = _TANGENTS * length
+    _, _, bend = _parabolas(points, tangents, at, most, weight)
+    turn = float(np.median(np.linalg.norm(bend, axis=1))) * step
+    reach = int(np.clip(_MOST_TURN / max(turn, 1e-12), _FEWEST_POINTS, most))
+    origin, tangent, bend = _parabolas(points, tangents, at, reach, weight)
     return frames_from_sides(origin, tangent, sides, bend)
 
 
+def _along(points: np.ndarray, tangents: np.ndarray) -> np.ndarray:
+    """Share of each step between two edge points that lies along the walk, (m - 1,)."""
+    way = tangents[1:] + tangents[:-1]
+    way = way / np.linalg.norm(way, axis=1, keepdims=True)
+    steps = np.diff(points, axis=0)
+    size = np.maximum(np.linalg.norm(steps, axis=1), 1e-300)
+    return np.asarray(np.einsum("mi,mi->m", steps, way) / size)
+
+
 def _parabolas(
-    points: np.ndarray, at: np.ndarray, reach: int
+    points: np.ndarray, tangents: np.ndarray, at: np.ndarray, reach: int, weight: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Point, unit tangent and bend at each edge point, (m, 3) each."""
     origin, tangent, bend = (np.zeros_like(points) for _ in range(3))
     for j in range(len(points)):
-        # As many points behind as ahead, as long as there are enough.
-        half = min(reach, max(j, len(points) - 1 - j, 1))
-        low, high = max(0, j - half), min(len(points), j + half + 1)
-        degree = min(2, high - low - 1)
+        low, high = max(0, j - reach), min(len(points), j + reach + 1)
         u = at[low:high] - at[j]
+        degree = min(2, high - low - 1)
         scale = max(float(np.abs(u).max()), 1e-300)
         powers = (u / scale)[:, None] ** np.arange(degree + 1)
-        c = np.linalg.lstsq(powers, points[low:high], rcond=None)[0]
+        slopes = np.zeros_like(powers)
+        slopes[:, 1:] = np.arange(1, degree + 1) * powers[:, :-1] / scale
+        rows = np.vstack([powers, weight * slopes])
+        values = np.vstack([points[low:high], weight * tangents[low:high]])
+        c = np.linalg.lstsq(rows, values, rcond=None)[0]
         speed = float(np.linalg.norm(c[1]))
         origin[j], tangent[j] = c[0], c[1] / speed
         if degree == 2:

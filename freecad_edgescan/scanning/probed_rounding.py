@@ -17,19 +17,22 @@ __all__ = ["rounding_begins"]
 
 _STEPS = 24  # places to try, on the inner part of a side
 _INNER = 0.6  # of a side's length, that a rounding may take away
-_ENOUGH = 0.7  # of the lines must have points left for a quadratic
-_SPARE = 2  # points of a line beyond those a quadratic needs
+_ENOUGH = 0.7  # of the lines must have points left for an arc
+_SPARE = 2  # points of a line beyond those an arc needs
 _LIKELY = 2.0  # standard deviations by which a scatter may be above the smallest one
+_NOTHING = 0.01  # of the tolerance
 _LARGER = 0.03  # and what else may be, as share of it
 
 
-def rounding_begins(sides: Sequence[np.ndarray]) -> float:
+def rounding_begins(sides: Sequence[np.ndarray], tolerance: float) -> float:
     """Distance from the edge from which on the points of a side belong to one smooth surface.
 
     Parameters
     ----------
     sides : for each line (n, 2) mm, its points' distance from the edge along the side, and their
         height over it
+    tolerance : scanning tolerance, mm; a scatter far below it, as without noise, shows how little
+        an arc differs from the side, not a rounding
 
     Returns
     -------
@@ -44,26 +47,31 @@ def rounding_begins(sides: Sequence[np.ndarray]) -> float:
     reach = float(np.median(np.where(there, away, 0.0).max(axis=1)))
     tried = np.linspace(0.0, _INNER * reach, _STEPS)
     scatter, freedom, supported = np.array(
-        [_scatter(away / reach, height, there & (away >= begin)) for begin in tried]
+        [_scatter(away / reach, height / reach, there & (away >= begin)) for begin in tried]
     ).T
     candidates = np.flatnonzero(supported >= _ENOUGH)
     if not len(candidates):
         return 0.0
-    smallest = scatter[candidates].min()
+    smallest = max(float(scatter[candidates].min()), (_NOTHING * tolerance / reach) ** 2)
     likely = 1.0 + _LARGER + _LIKELY * np.sqrt(2.0 / freedom)
     return float(tried[next(i for i in candidates if scatter[i] <= likely[i] * smallest)])
 
 
 def _scatter(s: np.ndarray, n: np.ndarray, used: np.ndarray) -> tuple[float, float, float]:
-    """Variance about one quadratic for each line, its degrees of freedom, and the lines' share."""
+    """Variance about one arc for each line, its degrees of freedom, and the lines' share.
+
+    The arc is that of the patches: linear in its coefficients, and without the error of a
+    quadratic, which shrinks with every point that is left out and looks like a rounding.
+    """
     enough = used.sum(axis=1) >= 3 + _SPARE
     if not enough.any():
         return 0.0, 1.0, 0.0
     s, n, used = s[enough], n[enough], used[enough]
-    powers = np.where(used[..., None], s[..., None] ** np.arange(3), 0.0)
-    matrix = np.einsum("mni,mnj->mij", powers, powers)
-    right = np.einsum("mni,mn->mi", powers, n)
+    terms = np.stack([np.ones_like(s), s, 0.5 * (s**2 + n**2)], axis=-1)
+    terms = np.where(used[..., None], terms, 0.0)
+    matrix = np.einsum("mni,mnj->mij", terms, terms)
+    right = np.einsum("mni,mn->mi", terms, n)
     coefficients = np.linalg.solve(matrix + 1e-12 * np.eye(3), right[..., None])[..., 0]
-    off = np.where(used, n - np.einsum("mni,mi->mn", powers, coefficients), 0.0)
+    off = np.where(used, n - np.einsum("mni,mi->mn", terms, coefficients), 0.0)
     freedom = float(used.sum() - 3 * len(s))
     return float(np.einsum("mn,mn->", off, off)) / freedom, freedom, float(enough.mean())

@@ -16,8 +16,6 @@ __all__ = ["edge_tangent"]
 def edge_tangent(
     line: ProbedLine,
     before: ProbedLine,
-    point: np.ndarray,
-    last_point: np.ndarray,
     known: np.ndarray,
     settings: ProbeSettings,
 ) -> np.ndarray:
@@ -25,20 +23,20 @@ def edge_tangent(
 
     Parameters
     ----------
-    line, before : this line and the one before it
-    point, last_point : (3,) mm, their edge points
+    line, before : this line and one behind it
     known : (3,) unit vector, the direction so far; it tells forward from backward, and the
         safeguards do not let the new one turn away too far
     settings : which of the three methods, and the safeguards
     """
     safeguards = settings.safeguards
     if settings.tangent is Tangent.INTERPOLATION:
-        tangent = point - last_point  # Schreve eq. 4.4.1.1.1
+        tangent = line.edge_point - before.edge_point  # Schreve eq. 4.4.1.1.1
     else:
         if settings.tangent is Tangent.PLANES:
             normals = [_plane_normal(line, before, k) for k in range(2)]
         else:
-            normals = [_surface_normal(line, before, k) for k in range(2)]
+            level = safeguards.level_ends
+            normals = [_surface_normal(line, before, k, level) for k in range(2)]
         tangent = cross(normals[0], normals[1])  # Schreve eq. 4.4.1.3.1, up to sign
     size = float(np.linalg.norm(tangent))
     if size < 1e-9:
@@ -51,10 +49,11 @@ def edge_tangent(
     return np.asarray(tangent / np.linalg.norm(tangent))
 
 
-def _surface_normal(line: ProbedLine, before: ProbedLine, k: int) -> np.ndarray:
+def _surface_normal(line: ProbedLine, before: ProbedLine, k: int, level: bool) -> np.ndarray:
     """Normal of surface k from both lines' curves (Schreve eq. 4.4.1.3.2), up to sign."""
-    along = line.rough_sides[k]
-    normal = cross(along, line.end(k) - before.end(k))
+    end = line.end(k)
+    beside = before.level_with(end, k) if level else before.end(k)
+    normal = cross(line.rough_sides[k], end - beside)
     return np.asarray(normal / np.linalg.norm(normal))
 
 

@@ -35,6 +35,7 @@ Point = Sequence[float] | np.ndarray
 
 _POINTS = 6  # of a line section, where there is room for them
 _MOST_POINTS = 20  # of a line section: about as many as the best published scans had
+_LONGEST = 20.0  # line sections, in lengths of what is drawn out to the edge: noise grows by 1/5
 _TOLERANCE = 1.25  # times the least one
 _UNEVEN = 0.02  # cloud pitches: what is left of a surface's form between its points
 _UNSEEN = 0.25  # of the noise: a bias that noise hides along the whole edge
@@ -196,16 +197,26 @@ def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoi
 
 
 def _amplitude(site: EdgeSite, degree: int, line_pitch: float) -> tuple[float, str]:
-    """The best amplitude for the surfaces' form, with points enough, in the room there is."""
-    guidelines = Guidelines.of(site.around, degree, line_pitch)
-    wanted = 2.0 * _POINTS * line_pitch + site.around.rounding
-    amplitude = max(guidelines.best("amplitude"), min(wanted, guidelines.most("amplitude")))
+    """The best amplitude for the surfaces' form, with points enough, in the room there is.
+
+    Flat surfaces have no best one. Neither more points nor a longer curve that is drawn out over
+    the same gap tell much more about the edge, and far from it other edges may be met.
+    """
+    around = site.around
+    guidelines = Guidelines.of(around, degree, line_pitch)
+    few = 2.0 * _POINTS * line_pitch + around.rounding
+    longest = max(_MOST_POINTS * line_pitch, _LONGEST * around.gap)
+    enough = 2.0 * longest + around.rounding
+    best = guidelines.best("amplitude") if np.isfinite(around.arc_radius) else enough
+    least = guidelines.least("amplitude")
+    amplitude = max(min(best, enough), min(few, guidelines.most("amplitude")), least)
     if amplitude > site.room:
         return site.room, "as far as both sides are smooth surfaces"
-    if amplitude > guidelines.least("amplitude"):
-        radius = site.around.arc_radius
-        return amplitude, f"best for surfaces of radius {radius:.3g} mm, with points enough"
-    return amplitude, "the least that the rounding and the line pitch allow"
+    if amplitude == least:
+        return amplitude, "the least that the rounding and the line pitch allow"
+    if amplitude == enough:
+        return amplitude, "farther off the surfaces tell little more about the edge"
+    return amplitude, f"best for surfaces of radius {around.arc_radius:.3g} mm, with points enough"
 
 
 def _line_pitch(around: Surroundings, amplitude: float, degree: int) -> tuple[float, str]:
@@ -248,9 +259,7 @@ def _start_on(cloud: PointCloud, site: EdgeSite, parameters: ScanParameters) -> 
     That way leads round the rounding, which is shorter than its two tangents.
     """
     frame, around = site.frame, site.around
-    _, fillet, probe = around.radii
-    tangents = (fillet + probe) * float(np.tan(0.5 * (np.pi - around.angle)))
-    away = around.line_section(float(parameters.amplitude or 0.0)) + tangents
+    away = around.line_section(float(parameters.amplitude or 0.0)) + around.cut_off
     rise = 0.5 * float(frame.curvature[0, 0]) * away**2
     place = frame.origin[0] + away * frame.sides[0, 0] + rise * frame.normals[0, 0]
     nearest = cloud.points[cloud.tree.query(place)[1]]

@@ -31,6 +31,11 @@ class Safeguards:
         last point would leave a curve through noise
     plausible : an edge point aside of its prediction by more than the step, or a side that leans
         against the last one by more than 40°, comes from a bad line
+    level_ends : the step from line to line, which tells a surface's normal, is taken between places
+        level with each other, not between the curves' ends; these may lie a line pitch apart
+    baseline : amplitudes that the line lies behind from which a surface's normal is read; from
+        lines much closer than they are long, the smallest deviation of a curve turns the normal;
+        until half of it is walked, the start's direction is kept
     smoothing : share of the last tangent and sides in the new ones, 0 … 1
     largest_turn : of a line's own tangent against the last one, before they are averaged, rad
     coasting : lines without an edge point in sequence that are passed over
@@ -52,6 +57,8 @@ class Safeguards:
     near_points: bool = True
     spare_points: bool = True
     plausible: bool = True
+    level_ends: bool = True
+    baseline: float = 0.1
     smoothing: float = 0.5
     largest_turn: float = float(np.radians(15.0))
     coasting: int = 3
@@ -64,4 +71,4 @@ class Safeguards:
     def none(cls) -> Safeguards:
         """The algorithm as printed."""
         off = {field.name: False for field in fields(cls) if field.type == "bool"}
-        return cls(**off, smoothing=0.0, largest_turn=float(np.pi), coasting=0)
+        return cls(**off, baseline=0.0, smoothing=0.0, largest_turn=float(np.pi), coasting=0)
