@@ -13,15 +13,12 @@ import os
 import sys
 import warnings
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from freecad_edgescan.command_options import read_options
 from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
-
-if TYPE_CHECKING:
-    pass
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -75,6 +75,7 @@ def _parser() -> argparse.ArgumentParser:
     scan.add_argument(
         "--gate-across", type=_vector, metavar="DX,DY,DZ", help="from the gate over the edge"
     )
+    _add_method(scan, "patch")
     _add_sizes(scan)
     _add_probe(scan)
     scan.add_argument(
@@ -100,10 +101,7 @@ def _parser() -> argparse.ArgumentParser:
         "--at", type=_vector, action="append", default=[], metavar="X,Y,Z",
         help="a point near an edge, mm; repeat for more edges",
     )  # fmt: skip
-    recommend.add_argument(
-        "--method", choices=("probe", "patch"), default="probe",
-        help="probe: line by line like a measuring machine (default); patch: all points at once",
-    )  # fmt: skip
+    _add_method(recommend, "probe")
     _add_sizes(recommend)
     _add_probe(recommend)
 
@@ -167,6 +165,14 @@ def _add_file(command: argparse.ArgumentParser) -> None:
     command.add_argument(
         "--unit", choices=UNITS, help="of the file (default: mm); all the rest is mm"
     )
+
+
+def _add_method(command: argparse.ArgumentParser, default: str) -> None:
+    command.add_argument(
+        "--method", choices=("patch", "probe"), default=default,
+        help="patch: all points on both sides; probe: line by line like a measuring machine "
+        f"(default: {default})",
+    )  # fmt: skip
 
 
 def _add_sizes(command: argparse.ArgumentParser) -> None:

@@ -24,7 +24,7 @@ def scan_file(options: argparse.Namespace) -> int:
     _check_outputs(options, len(targets))
     parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
     cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
-    edges, code = _scan_targets(cloud, targets, parameters)
+    edges, code = _scan_targets(cloud, targets, parameters, options.method)
     if not edges:
         return code
     written: list[Path] = []
@@ -123,7 +123,7 @@ def _check_outputs(options: argparse.Namespace, clicks: int) -> None:
 
 
 def _scan_targets(
-    cloud: PointCloud, targets: Sequence[tuple[Any, Any]], parameters: Any
+    cloud: PointCloud, targets: Sequence[tuple[Any, Any]], parameters: ScanParameters, method: str
 ) -> tuple[dict[int, ScannedEdge], int]:
     """Edges by their number, and the exit code: 2 after a failure, 130 after Ctrl-C.
 
@@ -133,9 +133,7 @@ def _scan_targets(
     for number, (at, gate) in enumerate(targets, 1):
         with TerminalProgress(f"edge {number} of {len(targets)}") as progress:
             try:
-                edges[number] = scan_edge(
-                    cloud, at=at, gate=gate, parameters=parameters, progress=progress
-                )
+                edges[number] = scan_edge(cloud, at, gate, parameters, method, progress=progress)
             except ValueError as error:
                 progress.clear()
                 tell(f"edge {number}: {error}")

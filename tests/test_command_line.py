@@ -89,6 +89,16 @@ def test_scan_prints_a_table_and_writes_edge_points(capsys, roof_file: Path) -> 
     assert np.hypot(points[:, 1], points[:, 2]).max() < 0.05
 
 
+def test_scan_probes_line_by_line(capsys, roof_file: Path) -> None:
+    table = roof_file.parent / "edge.csv"
+    words = ["scan", str(roof_file), "--at", "-1,0.2,0", "--method", "probe", "-o", str(table)]
+    assert main(words) == 0
+    assert "OFF_OBJECT / OFF_OBJECT" in capsys.readouterr().out
+    points = edge_points(table)
+    assert len(points) > 10
+    assert np.hypot(points[:, 1], points[:, 2]).mean() < 0.03
+
+
 def test_scan_writes_native_edges_for_cad(capsys, roof_file: Path) -> None:
     pytest.importorskip("FreeCAD")
     file = roof_file.parent / "edge.step"

@@ -143,6 +143,19 @@ class PointCloud:
         places = np.asarray(points, dtype=np.float64).reshape(-1, 3)
         return statistics.estimate_local_pitch(self.tree, places)
 
+    def largest_gap(self, points: ArrayLike) -> float:
+        """How far a place on the surface may be from its nearest point, mm.
+
+        All but one place in 200 lie nearer. For a grid it is about 0.7 pitches, for points strewn
+        at random 1.3, for scan lines half of what lies between two lines.
+
+        Parameters
+        ----------
+        points : (m, 3) array, mm, places on the surface to look round
+        """
+        places = np.asarray(points, dtype=np.float64).reshape(-1, 3)
+        return statistics.estimate_largest_gap(self.tree, places)
+
 
 def require_surface(cloud: PointCloud) -> None:
     """Refuse a cloud that cannot hold an edge.

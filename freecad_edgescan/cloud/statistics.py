@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from scipy.stats import chi2
 
-__all__ = ["estimate_local_pitch", "estimate_noise", "estimate_pitch"]
+__all__ = ["estimate_largest_gap", "estimate_local_pitch", "estimate_noise", "estimate_pitch"]
 
 Array = NDArray[np.float64]
 
@@ -28,6 +28,7 @@ SEEDS = 2000  # neighbourhoods looked at
 PITCH_NEIGHBOURS = 48
 NOISE_NEIGHBOURS = 32
 PROBES = 96  # strewn over one neighbourhood to see how its points are spaced
+WITHIN_GAP = 0.995  # of the probes
 QUADRIC_TERMS = 6
 LOPSIDED = 0.15  # of the radius: how far the centre of a filled disc may lie off its place
 
@@ -49,20 +50,31 @@ def estimate_local_pitch(tree: cKDTree, places: Array) -> Array:
     return np.concatenate([_two_pitches(tree, piece) for piece in pieces])
 
 
+def estimate_largest_gap(tree: cKDTree, places: Array) -> float:
+    """Distance to the nearest point that all but a few places on the surface keep, mm."""
+    offsets = _neighbourhoods(tree, places, PITCH_NEIGHBOURS)
+    gaps = _gaps(_in_local_axes(offsets)[0][:, :, :2])
+    return float(np.quantile(np.hypot(gaps[..., 0], gaps[..., 1]), WITHIN_GAP))
+
+
 def _two_pitches(tree: cKDTree, places: Array) -> Array:
     offsets = _neighbourhoods(tree, places, PITCH_NEIGHBOURS)
     local, centres = _in_local_axes(offsets)
-    flat = local[:, :, :2]
-    radius = np.sqrt((flat**2).sum(axis=2).max(axis=1))
-    probes = 0.6 * radius[:, None, None] * _disc(PROBES)
-    squares = (flat**2).sum(axis=2)[:, None, :] - 2 * probes @ flat.transpose(0, 2, 1)
-    nearest = np.take_along_axis(flat, squares.argmin(axis=2)[:, :, None], axis=1)
-    gaps = probes - nearest
+    gaps = _gaps(local[:, :, :2])
     moments = np.linalg.eigvalsh(gaps.transpose(0, 2, 1) @ gaps)
     with np.errstate(divide="ignore", invalid="ignore"):
         stretch = (moments[:, 1] / moments[:, 0]) ** 0.25
     pitch = _pitch(offsets, local, centres)
     return np.stack([pitch * stretch, pitch / stretch], axis=1)
+
+
+def _gaps(flat: Array) -> Array:
+    """Offsets of probes strewn over each neighbourhood from its nearest point, (m, PROBES, 2)."""
+    radius = np.sqrt((flat**2).sum(axis=2).max(axis=1))
+    probes = 0.6 * radius[:, None, None] * _disc(PROBES)
+    squares = (flat**2).sum(axis=2)[:, None, :] - 2 * probes @ flat.transpose(0, 2, 1)
+    nearest = np.take_along_axis(flat, squares.argmin(axis=2)[:, :, None], axis=1)
+    return np.asarray(probes - nearest)
 
 
 def estimate_noise(tree: cKDTree) -> float:

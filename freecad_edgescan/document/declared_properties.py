@@ -19,7 +19,6 @@ class Role(Enum):
     """What a property is for."""
 
     INPUT = "input"
-    HIDDEN_INPUT = "hidden input"
     RESULT = "result"
     HIDDEN_RESULT = "hidden result"
 
@@ -27,7 +26,6 @@ class Role(Enum):
 # FreeCAD's attributes: 1 read-only, 4 hidden, 8 output (a change does not ask for a recompute).
 _ATTRIBUTES = {
     Role.INPUT: 0,
-    Role.HIDDEN_INPUT: 4,
     Role.RESULT: 1 + 8,
     Role.HIDDEN_RESULT: 1 + 4 + 8,
 }

@@ -21,6 +21,7 @@ from .native_edge import edge_shape
 from .refusal import RefusalError
 from .scan_inputs import checked_inputs, input_hash, read_inputs, write_inputs
 from .scanned_edge_properties import CHOICES, LENGTHS, PROPERTIES, SCHEMA_VERSION
+from .shown_properties import show_probe_radius, show_what_counts
 
 __all__ = ["ScannedEdgeProxy", "make_scanned_edge", "scan_again", "write_result"]
 
@@ -43,7 +44,7 @@ def make_scanned_edge(
     at : (3,) point near the edge, or a Start, in the document's coordinates, mm
     gate : where to end: (3,) point, a Gate, or None
     parameters : what is None in them is chosen automatically
-    method : "patch"
+    method : "patch", or "probe": line by line like a measuring machine
     name : of the object
 
     Returns
@@ -121,6 +122,7 @@ class ScannedEdgeProxy:
         obj.Proxy = self
         declare(obj, PROPERTIES)
         obj.SchemaVersion = SCHEMA_VERSION
+        show_what_counts(obj)
 
     def onChanged(self, obj: Any, name: str) -> None:
         """Keep ProbeRadius true: the cloud's, not to be edited, or the edge's own.
@@ -128,19 +130,21 @@ class ScannedEdgeProxy:
         A value other than the cloud's makes it the edge's own.
         """
         # FreeCAD calls this before all properties exist, too, and while it undoes.
-        if "Restore" in obj.State or obj.Document.Transacting or not hasattr(obj, "Approach"):
+        if "Restore" in obj.State or obj.Document.Transacting or not hasattr(obj, "InputHash"):
             return
         if name == "ProbeRadius" and obj.ProbeRadius.Value != probe_radius_of(obj.Cloud):
             obj.OwnProbeRadius = True
         elif name in ("Cloud", "OwnProbeRadius"):
-            _show_probe_radius(obj)
+            show_probe_radius(obj)
+        elif name == "Method":
+            show_what_counts(obj)
 
     def execute(self, obj: Any) -> None:
         """Scan when an input has changed since the last scan.
 
         A scan that fails leaves the edge found before, and its sentence is in ``Message``.
         """
-        _show_probe_radius(obj)
+        show_probe_radius(obj)
         refused = _scan_if_changed(obj)
         if refused is not None:
             raise RefusalError(refused)
@@ -150,7 +154,7 @@ class ScannedEdgeProxy:
         declare(obj, PROPERTIES)
         while obj.SchemaVersion < SCHEMA_VERSION:
             obj.SchemaVersion += 1
-        obj.setEditorMode("ProbeRadius", 0 if obj.OwnProbeRadius else 1)
+        show_what_counts(obj)
 
     def dumps(self) -> None:
         """Nothing to write into the file."""
@@ -176,13 +180,6 @@ def _scan_if_changed(obj: Any) -> str | None:
             return str(error)
         raise
     return None
-
-
-def _show_probe_radius(obj: Any) -> None:
-    """Show the cloud's probe radius, read-only, unless the edge has its own."""
-    obj.setEditorMode("ProbeRadius", 0 if obj.OwnProbeRadius else 1)
-    if not obj.OwnProbeRadius and obj.ProbeRadius.Value != probe_radius_of(obj.Cloud):
-        obj.ProbeRadius = probe_radius_of(obj.Cloud)
 
 
 def _write_used(obj: Any, edge: ScannedEdge) -> None:
@@ -213,6 +210,7 @@ def _write_edge_points(obj: Any, edge: ScannedEdge) -> None:
     obj.FilletRadii = np.asarray(edge.fillet_radius, dtype=float).tolist()
     obj.FilletSigmas = np.asarray(edge.fillet_sigma, dtype=float).tolist()
     obj.Supported = np.asarray(edge.supported, dtype=bool).tolist()
+    obj.Compensated = [str(how) for how in edge.compensation]
 
 
 def _vectors(rows: ArrayLike) -> list[Any]:

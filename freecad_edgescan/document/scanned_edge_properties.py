@@ -8,11 +8,19 @@ from enum import Enum
 from ..scanning import Compensation, Pattern, Steering, Tangent
 from .declared_properties import Declared, Role
 
-__all__ = ["AUTOMATIC", "CHOICES", "LENGTHS", "METHODS", "PROPERTIES", "SCHEMA_VERSION", "UNBUILT"]
+__all__ = [
+    "AUTOMATIC",
+    "CHOICES",
+    "LENGTHS",
+    "METHODS",
+    "PROBE_ONLY",
+    "PROPERTIES",
+    "SCHEMA_VERSION",
+]
 
 SCHEMA_VERSION = 1
 AUTOMATIC = "automatic"
-METHODS = ("patch",)
+METHODS = ("patch", "probe")
 
 # Field of ScanParameters: property name, tooltip.
 LENGTHS = {
@@ -32,8 +40,8 @@ CHOICES: dict[str, tuple[str, str, type[Enum]]] = {
     "compensation": ("Compensation", "How a probed scan takes off the probe radius", Compensation),
 }
 
-# Parameters of the probed scan only, which is not built yet: kept in files, not shown.
-UNBUILT = {
+# Parameters of the probed scan only: shown when that is the method.
+PROBE_ONLY = (
     "LinePitch",
     "Tolerance",
     "PrehitDistance",
@@ -41,12 +49,11 @@ UNBUILT = {
     "CloudPitch",
     "Degree",
     *(name for name, _, _ in CHOICES.values()),
-}
+)
 
 
 def _parameter(kind: str, name: str, tooltip: str, choices: tuple[str, ...] = ()) -> Declared:
-    role = Role.HIDDEN_INPUT if name in UNBUILT else Role.INPUT
-    return Declared(kind, name, "Scan parameters", tooltip, role, choices)
+    return Declared(kind, name, "Scan parameters", tooltip, Role.INPUT, choices)
 
 
 _WHERE = (
@@ -78,7 +85,14 @@ _WHERE = (
         "Scan",
         "Direction of the gate line, across the edge; (0, 0, 0): the gate is a point",
     ),
-    Declared("Enumeration", "Method", "Scan", "How edge points are found", choices=METHODS),
+    Declared(
+        "Enumeration",
+        "Method",
+        "Scan",
+        "How edge points are found: patch uses all the points on both sides, probe touches the "
+        "cloud line by line like a measuring machine",
+        choices=METHODS,
+    ),
     Declared(
         "Angle", "MinAngle", "Scan", "Least turn between the two sides of an edge; 0: automatic"
     ),
@@ -115,8 +129,7 @@ _PARAMETERS = (
 
 
 def _used(kind: str, name: str) -> Declared:
-    role = Role.HIDDEN_RESULT if name in UNBUILT else Role.RESULT
-    return Declared(kind, f"{name}Used", "Values used", f"{name} that was used", role)
+    return Declared(kind, f"{name}Used", "Values used", f"{name} that was used", Role.RESULT)
 
 
 _USED = (
@@ -164,6 +177,7 @@ _RESULTS = (
     _list("FloatList", "FilletRadii", "Radius of the rounding at the edge points, mm, or nan"),
     _list("FloatList", "FilletSigmas", "Standard deviation of the radii, mm, or nan"),
     _list("BoolList", "Supported", "False where a gap in the cloud is bridged"),
+    _list("StringList", "Compensated", "How the probe radius was taken off each edge point"),
     Declared(
         "Vector",
         "Origin",

@@ -13,6 +13,7 @@ __all__ = [
     "orthonormalise",
     "rotate",
     "rotation_minimising_frames",
+    "turned_along",
 ]
 
 Array = NDArray[np.float64]
@@ -41,6 +42,20 @@ def rotate(vectors: ArrayLike, axis: ArrayLike, angle: ArrayLike) -> Array:
     angle = np.asarray(angle, dtype=float)[..., None]
     along = np.sum(vectors * axis, axis=-1, keepdims=True) * axis
     return along + np.cos(angle) * (vectors - along) + np.sin(angle) * np.cross(axis, vectors)
+
+
+def turned_along(vectors: Array, before: Array, after: Array) -> Array:
+    """Vectors (m, k, 3) turned by the smallest rotation that takes one direction to another.
+
+    Parameters
+    ----------
+    before, after : (m, 3) unit vectors, not opposite to each other
+    """
+    axis = cross(before, after)
+    cosine = np.einsum("mi,mi->m", before, after)[:, None, None]
+    about = np.einsum("mi,mki->mk", axis, vectors)[..., None]
+    turned = vectors * cosine + cross(axis[:, None], vectors)
+    return np.asarray(turned + axis[:, None] * about / np.maximum(1.0 + cosine, 1e-9))
 
 
 def orthonormalise(tangents: ArrayLike, vectors: ArrayLike) -> Array:

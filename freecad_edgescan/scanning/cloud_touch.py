@@ -23,7 +23,7 @@ class Touch(Protocol):
     Attributes
     ----------
     corridor : mm, how far from the search line a point may lie
-    ahead : mm, how much earlier than level with a point the probe may meet it
+    depth : mm, how far along the line, before or behind a contact, points may lie that matter
     """
 
     @property
@@ -32,8 +32,8 @@ class Touch(Protocol):
         ...
 
     @property
-    def ahead(self) -> float:
-        """How much earlier than level with a point the probe may meet it, mm."""
+    def depth(self) -> float:
+        """How far along the line, before or behind a contact, points may lie that matter, mm."""
         ...
 
     def first(
@@ -65,7 +65,7 @@ class ClosestTouch:
     """
 
     corridor: float
-    ahead = 0.0
+    depth = 0.0
 
     def first(
         self, points: np.ndarray, start: np.ndarray, way: np.ndarray, farthest: float
@@ -93,7 +93,7 @@ class BallTouch:
     corridor: float
 
     @property
-    def ahead(self) -> float:
+    def depth(self) -> float:
         """The ball meets a point straight ahead one radius before it."""
         return self.corridor
 
@@ -126,7 +126,11 @@ class TriangleTouch:
     """
 
     pitch: float
-    ahead = 0.0
+
+    @property
+    def depth(self) -> float:
+        """Two corners may lie behind the one that is met first."""
+        return _DEEP * self.pitch
 
     @property
     def corridor(self) -> float:

@@ -49,11 +49,15 @@ class Cmm(Protocol):
         prehit_distance: float,
         search_distance: float,
     ) -> np.ndarray | None:
-        """Travel along a search line until something is touched.
+        """Travel along a search line until something is touched, and back into the air.
+
+        After a contact the machine goes back along the search line by the prehit distance, but
+        not beyond the start, and stands there; when nothing was touched, it goes back to the start.
 
         Parameters
         ----------
-        start : (3,) mm, where the machine stands
+        start : (3,) mm, where the machine stands. Before the first touch of a scan nobody knows
+            where it is: it has to come to this place by itself
         direction : (3,) unit vector of the search line
         prehit_distance : mm from the start to where the part is expected
         search_distance : mm to go on behind that before the search is given up

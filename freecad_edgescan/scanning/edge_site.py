@@ -48,6 +48,7 @@ class EdgeSite:
     room : how far along the surfaces, round the edge, both sides may be used together, mm
     around : the measured surroundings
     sigma : of an edge point measured with patches, both directions across the edge together, mm
+    gap : largest distance from a place on the surfaces to the nearest point, mm
     air : (3,) unit vector from the edge into the air, or out of the smaller wedge where the air
         is unknown
     """
@@ -56,6 +57,7 @@ class EdgeSite:
     room: float
     around: Surroundings
     sigma: float
+    gap: float
     air: np.ndarray
 
 
@@ -101,7 +103,8 @@ def measure_site(
         raise TypeError("a scan with patches has patches")
     probe = chosen.parameters.probe_radius or 0.0
     frame = first.frame
-    pitch = given.cloud_pitch or _widest_pitch(cloud, lines.points, min(short, settings.reach))
+    sides = _places(cloud, lines.points, min(short, settings.reach))
+    pitch = given.cloud_pitch or _widest_pitch(cloud, sides)
     room = min(seed.reach, _ends(lines.points))
     inner = edge.convex is False
     offset = -probe if inner else probe
@@ -120,23 +123,28 @@ def measure_site(
         2.0 * (room - _MARGIN * pitch - around.cut_off) + around.rounding,
         around,
         float(np.median(np.sqrt(np.trace(edge.covariance, axis1=1, axis2=2)))),
+        max(cloud.largest_gap(places) for places in sides),
         outward / np.linalg.norm(outward),
     )
 
 
-def _widest_pitch(cloud: PointCloud, points: SectionPoints, reach: float) -> float:
-    """Pitch of the sparser side in the direction in which its points lie farthest apart, mm.
+def _places(cloud: PointCloud, points: SectionPoints, reach: float) -> list[np.ndarray]:
+    """Points (k, 3) of each side half-way along the reach, mm.
 
-    Half-way along the reach, where neither a rounding nor the cloud's end disturbs.
+    Neither a rounding nor the cloud's end disturbs there.
     """
     middle = np.abs(points.away - 0.5 * reach) < 0.25 * reach
-    widest = []
+    places = []
     for side in (0, 1):
         mine = points.side == side
         index = np.unique(points.index[mine & middle if np.any(mine & middle) else mine])
-        sample = index[:: max(len(index) // _PLACES, 1)]
-        widest.append(np.nanmedian(cloud.local_pitch(cloud.points[sample])[:, 0]))
-    return float(max(widest))
+        places.append(cloud.points[index[:: max(len(index) // _PLACES, 1)]])
+    return places
+
+
+def _widest_pitch(cloud: PointCloud, sides: Sequence[np.ndarray]) -> float:
+    """Pitch of the sparser side in the direction in which its points lie farthest apart, mm."""
+    return float(max(np.nanmedian(cloud.local_pitch(places)[:, 0]) for places in sides))
 
 
 def _ends(points: SectionPoints) -> float:

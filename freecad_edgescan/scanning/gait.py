@@ -9,7 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
-from ..geometry.frames import cross
+from ..geometry.frames import turned_along
 from .section import Frames, Section, Station, frames_from_sides
 from .stop import Stop
 
@@ -85,7 +85,7 @@ def predict(frame: Frames, step: float) -> Frames:
     origin = frame.origin + step * tangent + 0.5 * step**2 * bend
     ahead = tangent + step * bend
     ahead = ahead / np.linalg.norm(ahead, axis=-1, keepdims=True)
-    turned = _carry(frame.sides, tangent, ahead)
+    turned = turned_along(frame.sides, tangent, ahead)
     onward = bend - np.einsum("mi,mi->m", bend, ahead)[:, None] * ahead
     return frames_from_sides(origin, ahead, turned, onward, frame.curvature)
 
@@ -93,20 +93,6 @@ def predict(frame: Frames, step: float) -> Frames:
 def reversed_frame(frame: Frames) -> Frames:
     """The same section, walked the other way."""
     return frames_from_sides(frame.origin, -frame.tangent, frame.sides, frame.bend, frame.curvature)
-
-
-def _carry(vectors: np.ndarray, before: np.ndarray, after: np.ndarray) -> np.ndarray:
-    """Turn vectors (m, k, 3) by the smallest rotation that takes one tangent to the next."""
-    axis = cross(before, after)
-    cosine = np.einsum("mi,mi->m", before, after)[:, None, None]
-    crossed = cross(axis[:, None], vectors)
-    return (
-        vectors * cosine
-        + crossed
-        + axis[:, None]
-        * np.einsum("mi,mki->mk", axis, vectors)[..., None]
-        / np.maximum(1.0 + cosine, 1e-9)
-    )
 
 
 def _round_a_bend(

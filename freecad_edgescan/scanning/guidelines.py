@@ -206,15 +206,7 @@ class Guidelines:
                 "cloud_pitch", optimum, _BEST_PITCH[kind] * r, pitches[1],
                 f"about twenty points on the best arc for a {name}; denser clouds gain nothing.",
             ),
-            Bound(
-                "line_pitch", low, least_pitch, "4.4.4",
-                f"{LEAST_PITCHES:g} times the cloud pitch of {pitch:.3g} mm, so that no point is "
-                "touched twice.",
-            ),
-            Bound(
-                "edge_pitch", low, least_pitch, "4.4.4",
-                f"{LEAST_PITCHES:g} times the cloud pitch of {pitch:.3g} mm.",
-            ),
+            *_pitch_bounds(pitch),
             Bound("edge_pitch", optimum, step, "table 1", "as large as the line pitch."),
             Bound(
                 "tolerance", low, least_tolerance(around, projected), "5.3.3.5.1.1",
@@ -224,6 +216,11 @@ class Guidelines:
         )  # fmt: skip
         bounds = tuple(bound for bound in every if np.isfinite(bound.value))  # planes have none
         return cls(bounds, tuple(_contradictions(bounds)))
+
+    @classmethod
+    def of_pitch(cls, cloud_pitch: float) -> Guidelines:
+        """The guidelines that follow from the cloud pitch alone, mm."""
+        return cls(_pitch_bounds(cloud_pitch), ())
 
     def least(self, parameter: str) -> float:
         """Largest minimum of a parameter, mm; 0 without one."""
@@ -303,6 +300,15 @@ def check_possible(parameters: ScanParameters) -> None:
             f"{2.0 * needed * p.line_pitch:.3g} mm, a line pitch below "
             f"{0.5 * p.amplitude / needed:.3g} mm, or a lower degree."
         )
+
+
+def _pitch_bounds(pitch: float) -> tuple[Bound, ...]:
+    least, reason = LEAST_PITCHES * pitch, "so that no point is touched twice"
+    sentence = f"{LEAST_PITCHES:g} times the cloud pitch of {pitch:.3g} mm, {reason}."
+    return tuple(
+        Bound(name, Limit.MINIMUM, least, "4.4.4", sentence)
+        for name in ("line_pitch", "edge_pitch")
+    )
 
 
 def _contradictions(bounds: tuple[Bound, ...]) -> Iterable[str]:

@@ -17,11 +17,11 @@ import numpy as np
 from .cmm import Cmm
 from .probe_settings import ProbeSettings
 from .probed_line import farthest_from_chord
+from .start import numbers
 from .stop import Stop
 
 __all__ = ["LineScanner", "ScanPlane", "ScannedLine"]
 
-_LARGEST_GAP = 1.5  # line pitches; beyond it points are missing between two contacts
 _MOST_POINTS = 4.0  # times as many as fit on a line of one amplitude
 _SAME_POINT = 1e-6  # line pitches
 _LEAST_PROGRESS = 0.1  # line pitches, towards the target
@@ -173,7 +173,7 @@ class LineScanner:
             if contact is None:
                 raise _Halted(Stop.REPEATED_POINT)
         gap = hypot(*line.step_to(contact))
-        if gap > _LARGEST_GAP * pitch:
+        if gap > safeguards.largest_gap * pitch:
             self._refill(line, contact, ceil(gap / pitch) - 1)
         line.add(contact)
 
@@ -237,31 +237,54 @@ class LineScanner:
     ) -> tuple[np.ndarray | None, bool]:
         """Contact of a search for a target along a direction, and whether the way to it collided.
 
-        A collision is a contact, too: the point is measured again from where the machine stands
-        (Schreve 4.7.2).
+        What it collided with is measured again there (Schreve 4.7.2).
         """
-        prehit, search = self.settings.prehit_distance + lift, self.settings.search_distance
-        start = plane.place(x - prehit * dx, y - prehit * dy)
-        collision = self._go(start)
-        if collision is not None:
-            self.position = collision - (prehit * dx) * plane.across - (prehit * dy) * plane.inward
-            return collision, True
         way = dx * plane.across + dy * plane.inward
-        contact = self.cmm.touch(start, way, prehit, search)
+        start = plane.place(x, y) - (self.settings.prehit_distance + lift) * way
+        before = self.position
+        collision = self._go(start)
+        if collision is None or before is None:
+            return self._search(start, way, lift), False
+        return self._measured_again(before, collision), True
+
+    def _measured_again(self, before: np.ndarray, collision: np.ndarray) -> np.ndarray:
+        """Contact of a search from where the machine came from, in its direction of travel."""
+        travel = collision - before
+        size = float(np.linalg.norm(travel))
+        if size == 0.0:
+            return collision
+        way = travel / size
+        clear = collision - min(self.settings.prehit_distance, size) * way
+        self.position = collision
+        if self._go(clear) is not None:
+            return collision
+        again = self._search(clear, way)
+        return collision if again is None else again
+
+    def _search(self, start: np.ndarray, way: np.ndarray, lift: float = 0.0) -> np.ndarray | None:
+        """Contact of a search along a direction; the machine goes back from it into the air."""
+        prehit = self.settings.prehit_distance + lift
+        contact = self.cmm.touch(start, way, prehit, self.settings.search_distance)
+        self.position = start
         if contact is None:
-            self.position = start
-            return None, False
-        contact = np.asarray(contact, dtype=float)
-        # Back along the search line by the prehit distance, where the air is known to be free.
-        depth = float((contact - start) @ way) - self.settings.prehit_distance
-        self.position = start + depth * way
-        return contact, False
+            return None
+        contact = _point(contact)
+        self.position = start + max(float((contact - start) @ way) - prehit, 0.0) * way
+        return contact
 
     def _go(self, target: np.ndarray) -> np.ndarray | None:
         if self.position is None:
             return None
         collision = self.cmm.move(self.position, target)
-        return None if collision is None else np.asarray(collision, dtype=float)
+        return None if collision is None else _point(collision)
+
+
+def _point(answer: np.ndarray) -> np.ndarray:
+    """What a machine answered, when it is a point."""
+    point = numbers(answer)
+    if point is None:
+        raise ValueError(f"it answered {answer!r} instead of three finite numbers")
+    return point
 
 
 class _Line:

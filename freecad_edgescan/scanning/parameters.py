@@ -126,7 +126,7 @@ class ScanParameters:
             raise ScanError(
                 f"The probe radius is {self.probe_radius!r}; give 0 or a positive length in mm."
             )
-        if self.degree is not None and self.degree not in (1, 2, 3):
+        if self.degree is not None and (self.degree not in (1, 2, 3) or self.degree is True):
             raise ScanError(
                 f"The degree is {self.degree!r}; give 1 (line), 2 (quadratic) or 3 (cubic)."
             )
@@ -138,6 +138,11 @@ class ScanParameters:
         ):
             object.__setattr__(self, name, _choice(name, getattr(self, name), choices))
         object.__setattr__(self, "approach", _direction(self.approach))
+        if not isinstance(self.safeguards, Safeguards | None):
+            raise ScanError(
+                f"The safeguards are {self.safeguards!r}; give Safeguards(...), or "
+                "Safeguards.none() for the algorithm as printed."
+            )
 
     def given(self) -> dict[str, object]:
         """Return the values that are not automatic, by name."""
@@ -151,7 +156,8 @@ class ScanParameters:
 def _check_length(name: str, value: float | None) -> None:
     if value is None:
         return
-    if not (isinstance(value, int | float | np.number) and np.isfinite(value) and value > 0):
+    number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
+    if not (number and np.isfinite(value) and value > 0):
         words = name.replace("_", " ")
         raise ScanError(f"The {words} is {value!r}; give a positive length in mm.")
 

@@ -123,7 +123,7 @@ class PointCloudCmm:
     ) -> np.ndarray | None:
         """The first contact on a stretch of a search line."""
         touch = self._touch
-        reach = hypot(0.5 * (high - low) + touch.ahead, touch.corridor)
+        reach = hypot(0.5 * (high - low) + touch.depth, touch.corridor)
         index = self.cloud.tree.query_ball_point(
             start + (0.5 * (low + high)) * way, reach, return_sorted=False
         )

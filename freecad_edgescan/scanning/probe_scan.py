@@ -9,7 +9,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -25,8 +25,8 @@ from .probe_section import ProbeSection
 from .probe_settings import ProbeSettings
 from .probed_edge import finish_probed_edge
 from .progress import Progress
-from .recommended import choose_probe_parameters, complete_for_cmm
 from .report import describe
+from .scan_plan import ScanPlan, plan_for_cloud, plan_for_cmm
 from .scanned_edge import ScannedEdge
 from .start import Gate, Start
 from .stop import Stop
@@ -36,6 +36,7 @@ __all__ = ["scan_with_cmm", "scan_with_probe"]
 
 Point = Sequence[float] | np.ndarray
 _FEWEST_POINTS = 3  # edge points that make an edge
+_ENDED_FROM_OUTSIDE = {Stop.CANCELLED, Stop.CMM_FAILED}  # it is no fault of the edge
 
 
 def scan_with_cmm(
@@ -57,8 +58,7 @@ def scan_with_cmm(
             f"A cloud pitch of {parameters.cloud_pitch:g} mm was given with a measuring machine, "
             "which has no cloud; leave it out."
         )
-    filled, reasons = complete_for_cmm(cmm, parameters)
-    return _scan(cmm, at, at, gate, filled, reasons, True, min_angle, progress)
+    return _scan(cmm, plan_for_cmm(cmm, at, parameters), at, gate, min_angle, progress)
 
 
 def scan_with_probe(
@@ -70,24 +70,20 @@ def scan_with_probe(
     progress: Progress | None,
 ) -> ScannedEdge:
     """Scan a cloud with a virtual machine; see `scan_edge`."""
-    filled, reasons, start = choose_probe_parameters(cloud, at, parameters, min_angle)
-    cmm = PointCloudCmm(cloud, "closest", filled.cloud_pitch)
-    known = parameters.approach is not None or cloud.approach is not None
-    return _scan(cmm, at, start, gate, filled, reasons, known, min_angle, progress)
+    plan = plan_for_cloud(cloud, at, parameters, min_angle)
+    cmm = PointCloudCmm(cloud, "closest", plan.parameters.cloud_pitch)
+    return _scan(cmm, plan, at, gate, min_angle, progress)
 
 
 def _scan(
     cmm: Cmm,
+    plan: ScanPlan,
     at: Point | Start,
-    start: Start,
     gate: Point | Gate | None,
-    parameters: ScanParameters,
-    reasons: Mapping[str, str],
-    air_known: bool,
     min_angle: float,
     progress: Progress | None,
 ) -> ScannedEdge:
-    settings = ProbeSettings.from_parameters(parameters, min_angle)
+    settings, start = ProbeSettings.from_parameters(plan.parameters, min_angle), plan.start
     section = ProbeSection(cmm, settings)
     first = section.begin(start)
     if first.stop is not None:
@@ -107,15 +103,17 @@ def _scan(
         if begins is None:
             first = heading_for(first, arrived)
         trace = trace_one_way(section, first, gait, arrived, progress)
-    if len(trace.stations) < _FEWEST_POINTS and Stop.CANCELLED not in trace.stops:
+    if len(trace.stations) < _FEWEST_POINTS and not _ENDED_FROM_OUTSIDE & set(trace.stops):
         raise ScanError(
             f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
             f"{trace.stops[1].value} within two lines{_because(section.failure)}. Start farther "
             "from its ends, or change the amplitude or the edge pitch."
         ) from section.failure
-    edge = finish_probed_edge(trace, settings, parameters, reasons, arrived, air_known)
-    message = describe(edge, gate) + _because(section.failure, " The machine said: {}.")
-    return replace(edge, message=message)
+    edge = finish_probed_edge(
+        trace, settings, plan.parameters, plan.reasons, arrived, plan.air_known
+    )
+    words = [describe(edge, gate), _because(section.failure, "The machine said: {}.")]
+    return replace(edge, message=" ".join(filter(None, [*words, *plan.warnings])))
 
 
 def _because(failure: Exception | None, words: str = " ({})") -> str:

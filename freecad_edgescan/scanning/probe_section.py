@@ -10,6 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from .cmm import Cmm
+from .errors import ScanError
 from .line_scanner import LineScanner, ScannedLine, ScanPlane
 from .parameters import Pattern
 from .probe_settings import ProbeSettings
@@ -23,7 +24,9 @@ __all__ = ["ProbeSection"]
 
 _DEGENERATED = 0.25  # edge pitches a zigzag's turning point may be off before it is laid anew
 _ELSEWHERE = 2.0  # amplitudes from the last edge point: the machine has come from another walk
+_ALONG_THE_PROBE = 0.999  # cosine between the first line and the probe, which leaves no plane
 _LARGEST_LEAN = 0.7  # rad, of a side against the side it was before
+_FEWEST_CONTACTS = 5  # of a line that ended early, for two sides and the split
 _JUMP = 1.0  # steps that an edge point may lie aside of where it was predicted
 
 
@@ -45,6 +48,12 @@ class ProbeSection:
     def begin(self, start: Start) -> Station:
         """Scan the first line, from a start as a person gives it (Schreve 4.6)."""
         across = start.across
+        if abs(float(self.settings.approach @ across)) > _ALONG_THE_PROBE:
+            raise ScanError(
+                f"The start's direction across the edge ({_text(across)}) is that of the probe; "
+                "give one along the surface, towards the edge, or another approach than "
+                f"({_text(self.settings.approach)})."
+            )
         inward = _square_to(self.settings.approach, across)
         tangent = _cross(across, inward)
         if tangent @ start.along < 0.0:
@@ -57,7 +66,10 @@ class ProbeSection:
             frame = frames_from_sides(start.point[None], tangent[None], sides[None])
             return Station(frame, stop=line)
         frame = frames_from_sides(line.edge_point[None], tangent[None], line.rough_sides[None])
-        return Station(frame, line=line)
+        away = float(np.linalg.norm(line.edge_point - start.point))
+        return Station(
+            frame, line=line, stop=Stop.NO_EDGE if away > self.settings.amplitude else None
+        )
 
     def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
         """Scan the next line, towards a predicted edge point."""
@@ -201,8 +213,9 @@ class ProbeSection:
     def _measured(
         self, scanned: ScannedLine, plane: ScanPlane, tangent: np.ndarray, starts_on: int
     ) -> ProbedLine | Stop:
-        literal = not self.settings.safeguards.coasting
-        if scanned.stop is not None and (literal or len(scanned.contacts) < 5):
+        if scanned.stop is not None and not (
+            self.settings.safeguards.short_lines and len(scanned.contacts) >= _FEWEST_CONTACTS
+        ):
             return scanned.stop
         line = measure_line(
             scanned.contacts,
@@ -217,6 +230,10 @@ class ProbeSection:
             return scanned.stop or line
         turn = np.pi - np.arccos(np.clip(line.rough_sides[0] @ line.rough_sides[1], -1.0, 1.0))
         return line if turn > self.settings.least_turn else Stop.NO_EDGE
+
+
+def _text(vector: np.ndarray) -> str:
+    return ", ".join(f"{value:.3g}" for value in vector)
 
 
 def _square_to(vector: np.ndarray, normal: np.ndarray) -> np.ndarray:

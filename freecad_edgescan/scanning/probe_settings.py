@@ -7,12 +7,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .guidelines import LEAST_PITCHES
 from .parameters import Compensation, Pattern, ScanParameters, Steering, Tangent
 from .safeguards import Safeguards
 
 __all__ = ["ProbeSettings"]
-
-_LEAST_PITCHES = 1.5  # cloud pitches, more than the diagonal of a grid (Schreve 4.4.4)
 
 
 @dataclass(frozen=True)
@@ -68,7 +67,7 @@ class ProbeSettings:
             prehit_distance=_given(p.prehit_distance),
             search_distance=_given(p.search_distance),
             chord_height=p.chord_height,
-            least_pitch=_LEAST_PITCHES * (p.cloud_pitch or 0.0),
+            least_pitch=_least_pitch(p),
             safeguards=p.safeguards or Safeguards(),
             least_turn=0.5 * min_angle,
         )
@@ -79,6 +78,13 @@ class ProbeSettings:
         if self.pattern is Pattern.SQUARE:
             return 0.5 * self.amplitude
         return 0.5 * float(np.hypot(self.edge_pitch, self.amplitude))
+
+
+def _least_pitch(parameters: ScanParameters) -> float:
+    """Below which the edge pitch is not shortened, mm; a machine has no cloud, but a line pitch."""
+    if parameters.cloud_pitch is not None:
+        return LEAST_PITCHES * parameters.cloud_pitch
+    return min(_given(parameters.line_pitch), _given(parameters.edge_pitch))
 
 
 def _given(value: float | None) -> float:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..geometry.frames import turned_along
 from ..geometry.polynomial_curve import OffsetCurve, fit_polynomial, meeting_parameters
 from .corner import across_axes
 from .probe_settings import ProbeSettings
@@ -47,40 +48,55 @@ class ProbedCorners:
 
     def points(self, frames: Frames) -> np.ndarray:
         """Edge points (m, 3) mm, of the sections they were measured in."""
-        axes = across_axes(frames.normals)
-        return np.asarray(frames.origin + np.einsum("ma,mai->mi", self.shift, axes))
+        return np.asarray(frames.origin + self._shifts(frames))
 
-    def with_neighbours(self) -> ProbedCorners:
+    def with_neighbours(self, frames: Frames) -> ProbedCorners:
         """Each edge point as the weighted mean of its own and its two neighbours'.
 
-        The first and the last one stay alone.
+        What a neighbour knows is turned along the edge first, for each section has axes of its
+        own. The first and the last one stay alone.
         """
         trace = np.trace(self.covariance, axis1=1, axis2=2)
         weight = np.where(self.found, 1.0 / np.maximum(trace, 1e-18), 0.0)
-        shares = np.stack([np.roll(weight, 1), weight, np.roll(weight, -1)], axis=1)
-        shares[[0, -1]] = [0.0, 1.0, 0.0]
-        total = shares.sum(axis=1, keepdims=True)
+        shares = np.stack([np.roll(weight, 1), weight, np.roll(weight, -1)])
+        shares[::2, [0, -1]] = 0.0
+        total = shares.sum(axis=0)
         shares = np.divide(shares, total, out=np.zeros_like(shares), where=total > 0.0)
-
-        def mean(values: np.ndarray, share: np.ndarray) -> np.ndarray:
-            near = np.stack([np.roll(values, 1, axis=0), values, np.roll(values, -1, axis=0)], 1)
-            return np.einsum("mk,mk...->m...", share, near)
-
-        sides = mean(np.where(self.found[:, None, None], self.sides, 0.0), shares)
-        size = np.linalg.norm(sides, axis=-1, keepdims=True)
+        axes = across_axes(frames.normals)
+        mine = np.concatenate([self._shifts(frames)[:, None], self.sides, axes], axis=1)
+        mean, covariance = np.zeros_like(mine[:, :3]), np.zeros_like(self.covariance)
+        for share, places in zip(shares, (1, 0, -1), strict=True):
+            there = np.roll(mine, places, axis=0)
+            here = turned_along(there, np.roll(frames.tangent, places, axis=0), frames.tangent)
+            mean += share[:, None, None] * here[:, :3]
+            turn = np.einsum("mai,mbi->mab", axes, here[:, 3:])
+            known = np.roll(self.covariance, places, axis=0)
+            covariance += (share**2)[:, None, None] * np.einsum(
+                "mab,mbc,mdc->mad", turn, known, turn
+            )
+        sides = mean[:, 1:] / np.maximum(np.linalg.norm(mean[:, 1:], axis=-1, keepdims=True), 1e-9)
+        found = total > 0.0
         return ProbedCorners(
-            mean(np.where(self.found[:, None], self.shift, 0.0), shares),
-            np.where(size > 0.0, sides / np.maximum(size, 1e-300), self.sides),
-            mean(np.where(self.found[:, None, None], self.covariance, 0.0), shares**2),
-            total[:, 0] > 0.0,
+            np.einsum("mai,mi->ma", axes, mean[:, 0]),
+            np.where(found[:, None, None], sides, self.sides),
+            covariance,
+            found,
         )
+
+    def _shifts(self, frames: Frames) -> np.ndarray:
+        return np.einsum("ma,mai->mi", self.shift, across_axes(frames.normals))
 
 
 def carried_lines(
     lines: Sequence[ProbedLine], frames: Frames, settings: ProbeSettings
 ) -> list[ProbedLine]:
-    """Lines whose contacts were carried along the edge's bend into the planes across the edge."""
-    carried = []
+    """Lines whose contacts were carried along the edge's bend into the planes across the edge.
+
+    One that shows another edge point then, because it is split or cleaned elsewhere, stays as it
+    was.
+    """
+    apart = settings.edge_pitch + settings.tolerance
+    carried: list[ProbedLine] = []
     for j, line in enumerate(lines):
         owner = np.zeros(len(line.contacts), dtype=np.int64)
         origin, tangent = frames.origin[j], frames.tangent[j]
@@ -89,7 +105,9 @@ def carried_lines(
         across = line.rough_sides[line.ends_on] - line.rough_sides[starts_on]
         wedge = line.rough_sides.sum(axis=0)
         again = measure_line(contacts, origin, tangent, across, starts_on, settings, wedge)
-        carried.append(line if isinstance(again, Stop) else again)
+        if isinstance(again, Stop) or np.linalg.norm(again.edge_point - line.edge_point) > apart:
+            again = line
+        carried.append(again)
     agreed = settings.safeguards.agreed_cleaning and settings.degree > 1
     if not agreed or len(lines) < _FEWEST_LINES:
         return carried

@@ -57,7 +57,7 @@ def finish_probed_edge(
     lines = carried_lines(walked, frames, settings) if settings.safeguards.slide else walked
     corners = corners_of_lines(lines, frames, distance)
     if settings.compensation is Compensation.INTERSECTION:
-        corners = corners.with_neighbours()
+        corners = corners.with_neighbours(frames)
         points, how = corners.points(frames), _alone_at_the_ends("intersection", len(walked))
     else:
         points, how = _one_by_one(walked, settings.compensation, distance)

@@ -27,11 +27,13 @@ def smooth_frames(
 
     Parameters
     ----------
-    points : (m, 3) mm, edge points of the walk, m >= 2
+    points : (m, 3) mm, edge points of the walk, m >= 1
     tangents : (m, 3) unit vectors, its tangents
     sides : (m, 2, 3) unit vectors along the two surfaces, away from the edge
     length : mm to each side of an edge point, that is taken together even if it holds many points
     """
+    if len(points) < 2:
+        return frames_from_sides(points, tangents, sides)
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
     at = np.append(0.0, np.cumsum(steps * np.abs(_along(points, tangents))))
     step = float(np.median(steps))

@@ -7,7 +7,17 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from .errors import ScanError
+
 __all__ = ["Safeguards"]
+
+_RANGES = {
+    "baseline": (0.0, 10.0),
+    "smoothing": (0.0, 0.99),
+    "largest_turn": (0.0, np.pi),
+    "coasting": (0, 100),
+    "largest_gap": (1.0, 10.0),
+}
 
 
 @dataclass(frozen=True)
@@ -39,6 +49,9 @@ class Safeguards:
     smoothing : share of the last tangent and sides in the new ones, 0 … 1
     largest_turn : of a line's own tangent against the last one, before they are averaged, rad
     coasting : lines without an edge point in sequence that are passed over
+    short_lines : a line that could not be scanned to its end is used as far as it goes
+    largest_gap : line pitches between two contacts, above which points are filled in between; as
+        printed, every contact that lies a little too far asks for another one
     step_on : a point touched twice is passed over in a longer step
     feel_round : where nothing is touched the probe is led round the edge in small turns, instead
         of once across half the search distance
@@ -62,6 +75,8 @@ class Safeguards:
     smoothing: float = 0.5
     largest_turn: float = float(np.radians(15.0))
     coasting: int = 3
+    short_lines: bool = True
+    largest_gap: float = 1.5
     step_on: bool = True
     feel_round: bool = True
     near_collisions: bool = True
@@ -71,4 +86,24 @@ class Safeguards:
     def none(cls) -> Safeguards:
         """The algorithm as printed."""
         off = {field.name: False for field in fields(cls) if field.type == "bool"}
-        return cls(**off, baseline=0.0, smoothing=0.0, largest_turn=float(np.pi), coasting=0)
+        return cls(
+            **off,
+            baseline=0.0,
+            smoothing=0.0,
+            largest_turn=float(np.pi),
+            coasting=0,
+            largest_gap=1.0,
+        )
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if field.type == "bool":
+                good, wanted = isinstance(value, bool), "True or False"
+            else:
+                low, high = _RANGES[field.name]
+                number = isinstance(value, int | float | np.number) and not isinstance(value, bool)
+                good, wanted = number and low <= value <= high, f"a number from {low:g} to {high:g}"
+            if not good:
+                words = field.name.replace("_", " ")
+                raise ScanError(f"The safeguard {words!r} is {value!r}; give {wanted}.")

@@ -193,14 +193,47 @@ def test_a_negative_probe_radius_of_the_cloud_is_refused(doc: Any, cloud: Any, e
     assert "probe radius" in edge.Message
 
 
-def test_what_only_a_probed_scan_uses_is_not_shown(edge: Any) -> None:
-    from freecad_edgescan.document.scanned_edge_properties import UNBUILT
+def test_what_only_a_probed_scan_reads_is_shown_with_that_method(
+    doc: Any, edge: Any, tmp_path: Path
+) -> None:
+    def hidden(obj: Any, name: str) -> bool:
+        return "Hidden" in obj.getEditorMode(name)
 
-    for name in UNBUILT:
-        assert "Hidden" in edge.getEditorMode(name) or "Hidden" in edge.getPropertyStatus(name)
-        used = f"{name}Used"
-        assert "Hidden" in edge.getEditorMode(used) or "Hidden" in edge.getPropertyStatus(used)
-    assert "Hidden" not in edge.getPropertyStatus("Amplitude")
+    for name in ("LinePitch", "Degree", "Pattern", "Compensation"):
+        assert hidden(edge, name)
+        assert hidden(edge, f"{name}Used")
+    assert not hidden(edge, "Amplitude")
+    edge.Method = "probe"
+    for name in ("LinePitch", "Degree", "Pattern", "Compensation"):
+        assert edge.getEditorMode(name) == []
+        assert edge.getEditorMode(f"{name}Used") == ["ReadOnly"]
+    path = str(tmp_path / "probed.FCStd")
+    doc.saveAs(path)
+    opened = FreeCAD.openDocument(path)
+    again = opened.getObject(edge.Name)
+    assert again.getEditorMode("LinePitch") == []
+    again.Method = "patch"
+    assert hidden(again, "LinePitch")
+
+
+def test_an_edge_is_probed_line_by_line(doc: Any, cloud: Any, edge: Any) -> None:
+    probed = document.make_scanned_edge(doc, cloud, at=(10, 0, 10), method="probe")
+    doc.recompute()
+    assert is_valid(probed)
+    assert probed.PatternUsed == "square"
+    assert probed.LinePitchUsed.Value >= 0.4
+    assert any(reason.startswith("tolerance: ") for reason in probed.Reasons)
+    assert set(probed.Compensated) == {"none"}
+    off = np.array([(p.y, p.z - 10.0) for p in probed.Points])
+    assert np.hypot(*off.T).mean() < 3.0 * NOISE  # the true edge is y = 0, z = 10
+    before = probed.PointCount
+    probed.Pattern, probed.LinePitch = "zigzag", 1.0
+    doc.recompute()
+    assert (probed.PatternUsed, probed.LinePitchUsed.Value) == ("zigzag", 1.0)
+    probed.Method = "patch"
+    doc.recompute()
+    assert is_valid(probed)
+    assert probed.PointCount != before
 
 
 def test_start_gate_and_parameters_come_back_from_the_properties(doc: Any, cloud: Any) -> None:

@@ -4,7 +4,15 @@
 import numpy as np
 import pytest
 
-from freecad_edgescan.scanning import Gate, ScanError, ScanParameters, Start, Stop, scan_edge
+from freecad_edgescan.scanning import (
+    Gate,
+    Safeguards,
+    ScanError,
+    ScanParameters,
+    Start,
+    Stop,
+    scan_edge,
+)
 from freecad_edgescan.scanning.line_scanner import LineScanner, ScanPlane
 from freecad_edgescan.scanning.probe_settings import ProbeSettings
 
@@ -341,3 +349,101 @@ def test_a_start_in_the_air_is_told():
 def test_a_degree_that_does_not_exist_is_refused(degree):
     with pytest.raises(ScanError, match="degree"):
         ScanParameters(degree=degree)
+
+
+def test_a_scan_that_is_cancelled_at_once_keeps_its_first_point():
+    class Impatient:
+        def update(self, fraction, so_far):
+            return False
+
+    class Fragile(WedgeMachine):
+        def touch(self, start, *rest):
+            if start[1] > 0.4:
+                raise ConnectionError("the controller is off")
+            return super().touch(start, *rest)
+
+    machine = Fragile()
+    for progress, stop in ((None, Stop.CMM_FAILED), (Impatient(), Stop.CANCELLED)):
+        edge = scan_edge(machine, start(machine), None, parameters(), progress=progress)
+        assert edge.stops[1] is stop
+        assert len(edge) == 1
+        assert off_the_edge(edge).max() < 1e-6
+
+
+@pytest.mark.parametrize("answer", [(np.nan, 0.0, 0.0), "here", (1.0, 2.0)])
+@pytest.mark.parametrize("movement", ["move", "touch"])
+def test_a_machine_that_answers_nonsense_has_failed(answer, movement):
+    class Confused(WedgeMachine):
+        def move(self, start, end):
+            return answer if movement == "move" and start[1] > 10 else super().move(start, end)
+
+        def touch(self, start, *rest):
+            return answer if movement == "touch" and start[1] > 10 else super().touch(start, *rest)
+
+    edge = scan(Confused())
+    assert edge.stops[1] is Stop.CMM_FAILED
+    assert "instead of three finite numbers" in edge.message
+    assert len(edge) > 5
+    assert off_the_edge(edge).max() < 1e-6
+
+
+def test_a_machine_that_fails_while_it_moves_keeps_the_result():
+    class Tired(WedgeMachine):
+        def move(self, start, end):
+            if start[1] > 10:
+                raise TimeoutError("no answer from axis Z")
+            return super().move(start, end)
+
+    edge = scan(Tired())
+    assert edge.stops[1] is Stop.CMM_FAILED
+    assert "no answer from axis Z" in edge.message
+    assert off_the_edge(edge).max() < 1e-6
+
+
+def test_a_first_line_along_the_probe_is_refused():
+    machine = WedgeMachine()
+    with pytest.raises(ScanError, match="is that of the probe"):
+        scan_edge(machine, Start((0, 0, 3), (0, 0, -1), (0, 1, 0)), None, parameters())
+
+
+def test_a_collision_is_measured_again():
+    """What stops a travelling probe is not as exact as a touch."""
+
+    class Rough(WedgeMachine):
+        collisions = 0
+
+        def move(self, start, end):
+            met = super().move(start, end)
+            if met is not None:
+                self.collisions += 1
+                met = met - 0.05 * (end - start) / np.linalg.norm(end - start)
+            return met
+
+    machine = Rough(2.0 * np.pi - BLUNT)  # a groove, whose far wall is in the way
+    edge = scan(machine, prehit_distance=0.3, amplitude=8.0)
+    assert machine.collisions > 10
+    assert edge.stops[1] is Stop.GATE
+    assert off_the_edge(edge).max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ({"smoothing": float("nan")}, "'smoothing' is nan; give a number from 0 to 0.99"),
+        ({"coasting": -2}, "'coasting' is -2; give a number from 0 to 100"),
+        ({"largest_turn": 4.0}, "'largest turn' is 4.0"),
+        ({"slide": 1}, "'slide' is 1; give True or False"),
+    ],
+)
+def test_impossible_safeguards_are_refused(values, words):
+    with pytest.raises(ScanError, match=words):
+        Safeguards(**values)
+
+
+def test_what_are_no_safeguards_is_refused():
+    with pytest.raises(ScanError, match="safeguards are 'yes'"):
+        ScanParameters(safeguards="yes")
+    with pytest.raises(ScanError, match="degree is True"):
+        ScanParameters(degree=True)
+    with pytest.raises(ScanError, match="amplitude is True"):
+        ScanParameters(amplitude=True)
