@@ -28,7 +28,7 @@ SEEDS = 2000  # neighbourhoods looked at
 PITCH_NEIGHBOURS = 48
 NOISE_NEIGHBOURS = 32
 PROBES = 96  # strewn over one neighbourhood to see how its points are spaced
-WITHIN_GAP = 0.995  # of the probes
+WITHIN_GAP = 0.999  # of the probes
 QUADRIC_TERMS = 6
 LOPSIDED = 0.15  # of the radius: how far the centre of a filled disc may lie off its place
 

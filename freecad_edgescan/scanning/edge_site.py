@@ -48,7 +48,6 @@ class EdgeSite:
     room : how far along the surfaces, round the edge, both sides may be used together, mm
     around : the measured surroundings
     sigma : of an edge point measured with patches, both directions across the edge together, mm
-    gap : largest distance from a place on the surfaces to the nearest point, mm
     air : (3,) unit vector from the edge into the air, or out of the smaller wedge where the air
         is unknown
     """
@@ -57,7 +56,6 @@ class EdgeSite:
     room: float
     around: Surroundings
     sigma: float
-    gap: float
     air: np.ndarray
 
 
@@ -104,7 +102,7 @@ def measure_site(
     probe = chosen.parameters.probe_radius or 0.0
     frame = first.frame
     sides = _places(cloud, lines.points, min(short, settings.reach))
-    pitch = given.cloud_pitch or _widest_pitch(cloud, sides)
+    pitch = given.cloud_pitch or max(_widest_pitch(cloud, side) for side in sides)
     room = min(seed.reach, _ends(lines.points))
     inner = edge.convex is False
     offset = -probe if inner else probe
@@ -123,7 +121,6 @@ def measure_site(
         2.0 * (room - _MARGIN * pitch - around.cut_off) + around.rounding,
         around,
         float(np.median(np.sqrt(np.trace(edge.covariance, axis1=1, axis2=2)))),
-        max(cloud.largest_gap(places) for places in sides),
         outward / np.linalg.norm(outward),
     )
 
@@ -142,9 +139,13 @@ def _places(cloud: PointCloud, points: SectionPoints, reach: float) -> list[np.n
     return places
 
 
-def _widest_pitch(cloud: PointCloud, sides: Sequence[np.ndarray]) -> float:
-    """Pitch of the sparser side in the direction in which its points lie farthest apart, mm."""
-    return float(max(np.nanmedian(cloud.local_pitch(places)[:, 0]) for places in sides))
+def _widest_pitch(cloud: PointCloud, places: np.ndarray) -> float:
+    """Pitch in the direction in which points lie farthest apart, mm.
+
+    Where they are strewn unevenly, the largest gap between them (Schreve 4.7.1).
+    """
+    pitch = float(np.nanmedian(cloud.local_pitch(places)[:, 0]))
+    return max(pitch, cloud.largest_gap(places))
 
 
 def _ends(points: SectionPoints) -> float:

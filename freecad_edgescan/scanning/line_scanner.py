@@ -245,7 +245,9 @@ class LineScanner:
         collision = self._go(start)
         if collision is None or before is None:
             return self._search(start, way, lift), False
-        return self._measured_again(before, collision), True
+        contact = self._measured_again(before, collision)
+        self._leave(contact, way)
+        return contact, True
 
     def _measured_again(self, before: np.ndarray, collision: np.ndarray) -> np.ndarray:
         """Contact of a search from where the machine came from, in its direction of travel."""
@@ -255,11 +257,16 @@ class LineScanner:
             return collision
         way = travel / size
         clear = collision - min(self.settings.prehit_distance, size) * way
-        self.position = collision
-        if self._go(clear) is not None:
-            return collision
+        self.cmm.move(collision, clear)  # the way it came from is free
+        self.position = clear
         again = self._search(clear, way)
         return collision if again is None else again
+
+    def _leave(self, contact: np.ndarray, way: np.ndarray) -> None:
+        """Rise from a surface against the direction in which the part was expected."""
+        place = contact - self.settings.prehit_distance * way
+        if self._go(place) is None:
+            self.position = place
 
     def _search(self, start: np.ndarray, way: np.ndarray, lift: float = 0.0) -> np.ndarray | None:
         """Contact of a search along a direction; the machine goes back from it into the air."""

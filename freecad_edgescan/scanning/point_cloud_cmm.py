@@ -21,6 +21,9 @@ KINDS = ("closest", "ball", "triangle")
 
 _BALL = 4.0  # pitches, radius of the virtual ball: large enough not to dip deep between points
 _STRIDE = 8.0  # pitches that a search looks ahead at a time, where nothing is expected
+# Number of points, and how early the first of them lies, over how much it scatters (the mean and
+# the standard deviation of the largest of several standard normal numbers).
+_FIRST_OF_SEVERAL = ([1, 2, 3, 4, 5, 7, 10, 20], [0, 0.68, 1.13, 1.47, 1.74, 2.16, 2.62, 3.56])
 _APPROACH = (0.0, 0.0, -1.0)  # Schreve appendix F
 
 
@@ -71,6 +74,18 @@ class PointCloudCmm:
 
     def __repr__(self) -> str:
         return f"PointCloudCmm({self.cloud!r}, {self.kind!r}, pitch={self.pitch:g})"
+
+    @property
+    def selection(self) -> float:
+        """How far too early its contacts lie on the average, in their standard deviations.
+
+        The kind "closest" takes the first of all points within its pitch. The first of several
+        normally distributed ones lies early, and scatters less than any one of them.
+        """
+        if self.kind != "closest":
+            return 0.0
+        points = np.pi * (self.pitch / self.cloud.pitch) ** 2
+        return float(np.interp(points, *_FIRST_OF_SEVERAL))
 
     def move(self, start: np.ndarray, end: np.ndarray) -> np.ndarray | None:
         """Travel without measuring; where it collides, or None (see `Cmm.move`)."""

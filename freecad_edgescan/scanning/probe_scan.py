@@ -110,7 +110,13 @@ def _scan(
             "from its ends, or change the amplitude or the edge pitch."
         ) from section.failure
     edge = finish_probed_edge(
-        trace, settings, plan.parameters, plan.reasons, arrived, plan.air_known
+        trace,
+        settings,
+        plan.parameters,
+        plan.reasons,
+        arrived,
+        plan.air_known,
+        cmm.selection if isinstance(cmm, PointCloudCmm) else 0.0,
     )
     words = [describe(edge, gate), _because(section.failure, "The machine said: {}.")]
     return replace(edge, message=" ".join(filter(None, [*words, *plan.warnings])))

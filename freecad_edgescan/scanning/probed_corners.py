@@ -37,14 +37,21 @@ class ProbedCorners:
     ----------
     shift : (m, 2) mm, of the edge point from the frame's origin, in the axes across the edge
     sides : (m, 2, 3) unit vectors along the two surfaces at the edge, away from it
-    covariance : (m, 2, 2) mm², in the axes across the edge
+    scatter : (m, 2, 2) mm², covariance by noise, in the axes across the edge
+    systematic : (m, 2, 2) mm², what all lines have in common and no mean makes smaller
     found : (m,) whether the two curves meet
     """
 
     shift: np.ndarray
     sides: np.ndarray
-    covariance: np.ndarray
+    scatter: np.ndarray
+    systematic: np.ndarray
     found: np.ndarray
+
+    @property
+    def covariance(self) -> np.ndarray:
+        """All that is not known about each edge point, (m, 2, 2) mm²."""
+        return self.scatter + self.systematic
 
     def points(self, frames: Frames) -> np.ndarray:
         """Edge points (m, 3) mm, of the sections they were measured in."""
@@ -56,30 +63,32 @@ class ProbedCorners:
         What a neighbour knows is turned along the edge first, for each section has axes of its
         own. The first and the last one stay alone.
         """
-        trace = np.trace(self.covariance, axis1=1, axis2=2)
-        weight = np.where(self.found, 1.0 / np.maximum(trace, 1e-18), 0.0)
+        weight = 1.0 / np.maximum(np.trace(self.scatter, axis1=1, axis2=2), 1e-18)
+        weight = np.where(self.found, weight, 0.0)
         shares = np.stack([np.roll(weight, 1), weight, np.roll(weight, -1)])
         shares[::2, [0, -1]] = 0.0
         total = shares.sum(axis=0)
         shares = np.divide(shares, total, out=np.zeros_like(shares), where=total > 0.0)
         axes = across_axes(frames.normals)
         mine = np.concatenate([self._shifts(frames)[:, None], self.sides, axes], axis=1)
-        mean, covariance = np.zeros_like(mine[:, :3]), np.zeros_like(self.covariance)
+        mean = np.zeros_like(mine[:, :3])
+        scatter, systematic = np.zeros_like(self.scatter), np.zeros_like(self.scatter)
         for share, places in zip(shares, (1, 0, -1), strict=True):
             there = np.roll(mine, places, axis=0)
             here = turned_along(there, np.roll(frames.tangent, places, axis=0), frames.tangent)
             mean += share[:, None, None] * here[:, :3]
             turn = np.einsum("mai,mbi->mab", axes, here[:, 3:])
-            known = np.roll(self.covariance, places, axis=0)
-            covariance += (share**2)[:, None, None] * np.einsum(
-                "mab,mbc,mdc->mad", turn, known, turn
-            )
+            both = np.stack([self.scatter, self.systematic])
+            turned = np.einsum("mab,kmbc,mdc->kmad", turn, np.roll(both, places, axis=1), turn)
+            scatter += (share**2)[:, None, None] * turned[0]
+            systematic += share[:, None, None] * turned[1]
         sides = mean[:, 1:] / np.maximum(np.linalg.norm(mean[:, 1:], axis=-1, keepdims=True), 1e-9)
         found = total > 0.0
         return ProbedCorners(
             np.einsum("mai,mi->ma", axes, mean[:, 0]),
             np.where(found[:, None, None], sides, self.sides),
-            covariance,
+            scatter,
+            systematic,
             found,
         )
 
@@ -127,7 +136,9 @@ def _begin(lines: Sequence[ProbedLine], frames: Frames, k: int, tolerance: float
     return rounding_begins(sides, tolerance)
 
 
-def corners_of_lines(lines: Sequence[ProbedLine], frames: Frames, distance: float) -> ProbedCorners:
+def corners_of_lines(
+    lines: Sequence[ProbedLine], frames: Frames, distance: float, selection: float = 0.0
+) -> ProbedCorners:
     """Intersect the curves of each line, offset by the probe radius.
 
     Parameters
@@ -135,6 +146,7 @@ def corners_of_lines(lines: Sequence[ProbedLine], frames: Frames, distance: floa
     lines : m lines, in the planes of their frames
     frames : (m) sections of the smooth course of the edge
     distance : mm, from the probe's centres to the surfaces, positive into the smaller wedge
+    selection : how far too early contacts lie, in standard deviations (`PointCloudCmm.selection`)
     """
     axes = across_axes(frames.normals)
     count = len(lines)
@@ -153,21 +165,26 @@ def corners_of_lines(lines: Sequence[ProbedLine], frames: Frames, distance: floa
         ways = np.array([-c.derivative(u) for c, u in zip(curves, met, strict=True)])
         sides[j], meeting[j], found[j] = ways @ line.axes, met, True
     standing = frames_from_sides(frames.origin, frames.tangent, sides)
-    variance = _variances(lines, meeting, found)
     gradient = np.einsum("mki,mai->mka", standing.normals, axes)
     inverse = np.linalg.pinv(gradient)
-    covariance = np.einsum("mak,mk,mbk->mab", inverse, variance, inverse)
-    return ProbedCorners(shift, standing.sides, covariance, found)
+    scatter, systematic = (
+        np.einsum("mak,mk,mbk->mab", inverse, variance, inverse)
+        for variance in _variances(lines, meeting, found, selection)
+    )
+    return ProbedCorners(shift, standing.sides, scatter, systematic, found)
 
 
-def _variances(lines: Sequence[ProbedLine], meeting: np.ndarray, found: np.ndarray) -> np.ndarray:
-    """Variance of each surface's position at the edge, (m, 2) mm².
+def _variances(
+    lines: Sequence[ProbedLine], meeting: np.ndarray, found: np.ndarray, selection: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Variance of each surface's position at the edge by noise and by system, (m, 2) mm² each.
 
     The noise is what all lines together scatter about their curves, and each curve knows the
     edge by its leverage there. What a curve of one degree more would say, on the average of all
-    lines, is the error of the model; noise does not let it be seen on a single line.
+    lines, is the error of the model; noise does not let it be seen on a single line. Contacts
+    that are selected lie too early as a whole.
     """
-    variance = np.zeros((len(lines), 2))
+    by_noise, by_system = np.zeros((2, len(lines), 2))
     for k in range(2):
         leverage, scatter, freedom = np.ones(len(lines)), 0.0, 0
         errors, spread = [], []
@@ -187,8 +204,9 @@ def _variances(lines: Sequence[ProbedLine], meeting: np.ndarray, found: np.ndarr
         if errors:
             by_chance = noise * float(np.mean(spread)) / len(spread)
             model = max(float(np.mean(errors)) ** 2 - by_chance, 0.0)
-        variance[:, k] = noise * leverage + model
-    return variance
+        by_noise[:, k] = noise * leverage
+        by_system[:, k] = model + selection**2 * noise
+    return by_noise, by_system
 
 
 def _one_degree_more(section: LineSection, u: float) -> tuple[float, float] | None:

@@ -36,6 +36,7 @@ def finish_probed_edge(
     reasons: Mapping[str, str],
     arrived: EdgeGate | None = None,
     air_known: bool = True,
+    selection: float = 0.0,
 ) -> ScannedEdge:
     """Compensate the lines of a walk for the probe radius, and state what is known.
 
@@ -45,6 +46,7 @@ def finish_probed_edge(
     settings, parameters, reasons : of the scan
     arrived : the gate it was to pass
     air_known : whether the approach tells on which side the air is
+    selection : how far too early contacts lie, in standard deviations (`PointCloudCmm.selection`)
     """
     stations = [station for station in trace.stations if station.line is not None]
     walked = [station.line for station in stations if station.line is not None]
@@ -55,7 +57,7 @@ def finish_probed_edge(
     convex = convex_by_approach(frames.normals, settings.approach)
     distance = settings.probe_radius if convex else -settings.probe_radius
     lines = carried_lines(walked, frames, settings) if settings.safeguards.slide else walked
-    corners = corners_of_lines(lines, frames, distance)
+    corners = corners_of_lines(lines, frames, distance, selection)
     if settings.compensation is Compensation.INTERSECTION:
         corners = corners.with_neighbours(frames)
         points, how = corners.points(frames), _alone_at_the_ends("intersection", len(walked))

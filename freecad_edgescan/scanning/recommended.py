@@ -124,10 +124,7 @@ def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoi
         tolerance=_tolerance(around, amplitude, degree, slid),
         degree=(degree, ""),
         pattern=(Pattern.SQUARE, "lines straight across the edge"),
-        cloud_pitch=(
-            max(pitch, min(site.gap, line_pitch)),
-            "the largest gap between points near the start (7.2)",
-        ),
+        cloud_pitch=(pitch, "the largest distance between points near the start (4.7.1, 7.2)"),
         approach=(tuple(-site.air), "from outside the smaller wedge of the two surfaces"),
     )
     guidelines = Guidelines.of(around, degree, line_pitch, projected=not slid)

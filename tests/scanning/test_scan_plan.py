@@ -156,7 +156,8 @@ def test_a_given_value_outside_a_guideline_is_scanned_with_and_told(cloud: Point
 def test_points_strewn_at_random_get_a_pitch_without_gaps() -> None:
     """One place in 25 is farther than a pitch from its nearest point, so that probes fall through.
 
-    For points strewn at random exp(-π r²/ρc²) of all places have no point within r.
+    For points strewn at random exp(-π r²/ρc²) of all places have no point within r. The gap that
+    all but one place in 1000 keep rests on a few holes only, which differ by a seventh or so.
     """
     rng = np.random.default_rng(4)
     grid = np.stack(np.meshgrid(np.arange(-20.0, 20.0, 0.5), np.arange(0.0, 20.0, 0.5)), -1)
@@ -169,4 +170,4 @@ def test_points_strewn_at_random_get_a_pitch_without_gaps() -> None:
         plan = plan_for_cloud(wedge, (0.0, 0.0, 0.0), ScanParameters(), MIN_ANGLE)
         found[name] = plan.parameters.cloud_pitch
     assert found["grid"] == pytest.approx(0.5, rel=0.1)
-    assert found["strewn"] == pytest.approx(0.5 * np.sqrt(np.log(200.0) / np.pi), rel=0.1)
+    assert found["strewn"] == pytest.approx(0.5 * np.sqrt(np.log(1000.0) / np.pi), rel=0.15)
