@@ -60,7 +60,7 @@ def _errors(title: str, statistic: str, found: dict[str, DoeResult]) -> Curves:
     printed = [getattr(published[_EXPERIMENT, test], statistic) for test in TESTS]
     curves.append(Curve.of("published", TESTS, printed, measured=True))
     notes = [
-        f"{curve.name}: geometric mean {np.exp(np.mean(np.log(curve.y))):.4f} mm"
+        f"{curve.name}: geometric mean {np.exp(np.nanmean(np.log(curve.y))):.4f} mm"
         + (f", {found[curve.name].completed} of 16 completed" if curve.name in found else "")
         for curve in curves
     ]

@@ -23,9 +23,11 @@ from .stop import Stop
 __all__ = ["LineScanner", "ScanPlane", "ScannedLine"]
 
 _MOST_POINTS = 4.0  # times as many as fit on a line of one amplitude
+_SLACK = 1.0 + 1e-6  # of a pitch, for rounding errors
 _SAME_POINT = 1e-6  # line pitches
 _LEAST_PROGRESS = 0.1  # line pitches, towards the target
 _BACK = -0.8  # cosine of a turn that is no edge any more but the way back
+_ONWARD = 0.9  # cosine between a step and the surface behind the edge, that lies on it
 _LONGER_STEPS = (2.0, 3.0)  # line pitches, tried after a point that was touched twice
 _NEAR = 0.25  # amplitudes from its target, where a collision is as good as a touch
 _FAR = 2.0  # amplitudes between two lines that do not follow each other
@@ -173,8 +175,8 @@ class LineScanner:
             if contact is None:
                 raise _Halted(Stop.REPEATED_POINT)
         gap = hypot(*line.step_to(contact))
-        if gap > safeguards.largest_gap * pitch:
-            self._refill(line, contact, ceil(gap / pitch) - 1)
+        if gap > safeguards.largest_gap * pitch * _SLACK:
+            self._refill(line, contact, ceil(gap / (pitch * _SLACK)) - 1)
         line.add(contact)
 
     def _step_on(self, line: _Line) -> np.ndarray | None:
@@ -336,7 +338,12 @@ class _Line:
             return True
         dx, dy = self.step_to(contact)
         gap, ahead = hypot(dx, dy), dx * self.heading[0] + dy * self.heading[1]
-        return gap > _LEAST_PROGRESS * pitch and ahead > _BACK * gap
+        if gap <= _LEAST_PROGRESS * pitch:
+            return False
+        if ahead > _BACK * gap or self.onward is None:
+            return True
+        # Round a sharp edge the way on leads back, too.
+        return dx * self.onward[0] + dy * self.onward[1] > _ONWARD * gap
 
     def complete(self, amplitude: float, half_line: float) -> bool:
         """Whether the line is long enough, as a whole and behind the edge (Schreve 4.2.3)."""

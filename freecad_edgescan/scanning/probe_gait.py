@@ -16,6 +16,7 @@ from .stop import Stop
 __all__ = ["ProbeGait"]
 
 _FEWER, _MORE = 0.5, 3.0  # times the last edge pitch, that the next one may be
+_TWO_STEPS = 4.0  # times as high over a chord of two steps as over one
 _NOT_COASTED = (Stop.CMM_FAILED, Stop.CANCELLED)
 
 
@@ -62,7 +63,10 @@ class ProbeGait:
         a, b, c = (station.frame.origin[0] for station in stations[-3:])
         chord = c - a
         height = float(np.linalg.norm(np.cross(b - a, chord)) / np.linalg.norm(chord))
-        ratio = min(max(wanted / max(height, 1e-12), _FEWER), _MORE)
+        ratio = wanted / max(height, 1e-12)
+        if self.settings.safeguards.steady_pitch:
+            ratio = (_TWO_STEPS * ratio) ** 0.5
+        ratio = min(max(ratio, _FEWER), _MORE)
         most, least = _MORE * self.settings.edge_pitch, self.settings.least_pitch
         return max(min(ratio * last, most), least)
 

@@ -18,6 +18,7 @@ from .stop import Stop
 
 __all__ = ["LineSection", "ProbedLine", "farthest_from_chord", "measure_line", "without_rounding"]
 
+_SPARE = 2  # points beyond those a curve needs, that hold the tolerance for a reason
 _DRAWN_OUT = 1.5  # of a section's length: how far its curve stands for the surface
 
 
@@ -150,6 +151,8 @@ def measure_line(
     axes = np.array([x, y])
     offset = contacts - origin
     points = offset @ axes.T
+    if _straight(points, settings.least_turn):
+        return Stop.NO_EDGE
     ways = [0.0]
     if settings.safeguards.signed_split:
         ways = [1.0, -1.0] if wedge is None else [1.0 if wedge @ axes[1] > 0.0 else -1.0]
@@ -250,6 +253,17 @@ def farthest_from_chord(points: np.ndarray, wedge: float = 0.0) -> int:
     return int(np.abs(off).argmax())
 
 
+def _straight(points: np.ndarray, least_turn: float) -> bool:
+    """Whether no point stands out of the chord as an edge would (Schreve figure 4.22).
+
+    An edge in the middle stands out by half the chord times the tangent of half its turn; one
+    that lies far from the middle by less, for which a quarter of that is left.
+    """
+    chord, offset = points[-1] - points[0], points - points[0]
+    off = np.abs(chord[0] * offset[:, 1] - chord[1] * offset[:, 0])
+    return bool(off.max() < 0.125 * np.tan(0.5 * least_turn) * (chord @ chord))
+
+
 def _drift(x: np.ndarray, along: np.ndarray, x0: float) -> tuple[float, float, float, float]:
     """Two straight lines with a kink at x0 through how far along the edge the points lie."""
     terms = np.stack([np.ones_like(x), x, np.abs(x - x0)])
@@ -287,8 +301,8 @@ def clean(
     points : (n, 2) mm, the last one nearest the edge; n > degree
     degree : of the curve
     tolerance : mm
-    spare : when even the last points do not hold the tolerance, to take those points instead
-        after which giving up more did not make the curve fit better
+    spare : where only so few points hold the tolerance that they may do so by chance, to take
+        those points instead after which giving up more did not make the curve fit better
 
     Returns
     -------
@@ -299,14 +313,13 @@ def clean(
         curve, u = fit_polynomial(points[:count], degree)
         off = curve.at(curve.closest(points[:count], u)) - points[:count]
         worst = float(np.einsum("ni,ni->n", off, off).max())
-        if worst <= tolerance**2:
+        freedom = count - degree - 1
+        if worst <= tolerance**2 and (freedom >= _SPARE or not spare or best is None):
             return curve, count
-        if spare:
-            freedom = count - degree - 1
-            if freedom > 0:
-                scatter = float(np.einsum("ni,ni->", off, off)) / freedom
-                if best is None or scatter < 0.7 * best[0]:
-                    best = scatter, curve, count
+        if spare and freedom > 0:
+            scatter = float(np.einsum("ni,ni->", off, off)) / freedom
+            if best is None or scatter < 0.7 * best[0]:
+                best = scatter, curve, count
         if count == degree + 1:
             return (curve, count) if best is None else best[1:]
         count -= 1

@@ -35,8 +35,8 @@ def smooth_frames(
     if len(points) < 2:
         return frames_from_sides(points, tangents, sides)
     steps = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    at = np.append(0.0, np.cumsum(steps * np.abs(_along(points, tangents))))
-    step = float(np.median(steps))
+    at = np.append(0.0, np.cumsum(steps * _along(points, tangents)))
+    step = abs(float(at[-1])) / (len(points) - 1)
     most = max(_MOST_POINTS, round(length / max(step, 1e-12)))
     weight = _TANGENTS * length
     _, _, bend = _parabolas(points, tangents, at, most, weight)

@@ -52,9 +52,11 @@ def rounding_begins(sides: Sequence[np.ndarray], tolerance: float) -> float:
     candidates = np.flatnonzero(supported >= _ENOUGH)
     if not len(candidates):
         return 0.0
-    smallest = max(float(scatter[candidates].min()), (_NOTHING * tolerance / reach) ** 2)
-    likely = 1.0 + _LARGER + _LIKELY * np.sqrt(2.0 / freedom)
-    return float(tried[next(i for i in candidates if scatter[i] <= likely[i] * smallest)])
+    best = candidates[scatter[candidates].argmin()]
+    smallest = max(float(scatter[best]), (_NOTHING * tolerance / reach) ** 2)
+    # The smallest one is known worst: few points are left, and it is the luckiest of all.
+    likely = 1.0 + _LARGER + _LIKELY * np.sqrt(2.0 / freedom[best])
+    return float(tried[next(i for i in candidates if scatter[i] <= likely * smallest)])
 
 
 def _scatter(s: np.ndarray, n: np.ndarray, used: np.ndarray) -> tuple[float, float, float]:

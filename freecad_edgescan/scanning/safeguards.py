@@ -48,6 +48,9 @@ class Safeguards:
         until half of it is walked, the start's direction is kept
     smoothing : share of the last tangent and sides in the new ones, 0 … 1
     largest_turn : of a line's own tangent against the last one, before they are averaged, rad
+    steady_pitch : the chord height is that between two edge points, which grows with the square of
+        the edge pitch, and so the pitch changes by the root of what it asks for; as printed it is
+        that over two steps, and the pitch swings about the right one
     coasting : lines without an edge point in sequence that are passed over
     short_lines : a line that could not be scanned to its end is used as far as it goes
     largest_gap : line pitches between two contacts, above which points are filled in between; as
@@ -74,6 +77,7 @@ class Safeguards:
     baseline: float = 0.1
     smoothing: float = 0.5
     largest_turn: float = float(np.radians(15.0))
+    steady_pitch: bool = True
     coasting: int = 3
     short_lines: bool = True
     largest_gap: float = 1.5

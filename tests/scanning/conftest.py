@@ -190,3 +190,74 @@ def right_angle():
     """A sharp right-angled wedge and its edge, scanned from one click."""
     part = make_wedge(90.0)
     return part, scan_edge(part.cloud, part.at(0.1, 0.4))
+
+
+class ExtrudedPart:
+    """A measuring machine over a part that is extruded along y; its contacts are exact.
+
+    The section across y is a polyline of (x, z) with the air on its left, and may be another one
+    from some y on. The probe is a point and comes from above.
+    """
+
+    probe_radius = 0.0
+    approach = np.array([0.0, 0.0, -1.0])
+
+    def __init__(self, *pieces):
+        """`pieces`: (from y, to y, polyline), or one polyline for all y."""
+        if len(pieces) == 1 and np.ndim(pieces[0]) == 2:
+            pieces = ((-np.inf, np.inf, pieces[0]),)
+        self.pieces = [(low, high, np.asarray(line, dtype=float)) for low, high, line in pieces]
+        self.searches, self.moves, self.collisions = [], [], []
+
+    @classmethod
+    def wedge(cls, degrees, reach=40.0, shift=0.0):
+        """Polyline of a wedge whose first side is level and ends at x = shift."""
+        turn = np.radians(180.0 - degrees)
+        return [[-reach, 0.0], [shift, 0.0], [shift + reach * np.cos(turn), -reach * np.sin(turn)]]
+
+    def section(self, y):
+        return next(line for low, high, line in self.pieces if low <= y < high)
+
+    def off(self, points):
+        """Distances of points from the part's surface, (n,)."""
+        return np.array([self._off(point) for point in points])
+
+    def _off(self, point):
+        line = self.section(point[1])
+        first, way = line[:-1], np.diff(line, axis=0)
+        offset = point[[0, 2]] - first
+        share = np.clip((offset * way).sum(axis=1) / (way**2).sum(axis=1), 0.0, 1.0)
+        return np.linalg.norm(offset - share[:, None] * way, axis=1).min()
+
+    def _meets(self, start, way, farthest):
+        """Smallest parameter in (0, farthest] at which a straight way meets the part, or None."""
+        met, (dx, dz) = [], way[[0, 2]]
+        for low, high, line in self.pieces:
+            first, along = line[:-1], np.diff(line, axis=0)
+            gap = first - start[[0, 2]]
+            size = dx * along[:, 1] - dz * along[:, 0]
+            size = np.where(size > 1e-12, size, np.nan)  # out of the air, into the part
+            t = (gap[:, 0] * along[:, 1] - gap[:, 1] * along[:, 0]) / size
+            share = (gap[:, 0] * dz - gap[:, 1] * dx) / size
+            y = start[1] + t * way[1]
+            good = (t > 1e-9) & (t <= farthest) & (share >= 0.0) & (share <= 1.0)
+            met.extend(t[good & (y >= low) & (y < high)])
+        return min(met, default=None)
+
+    def move(self, start, end):
+        self.moves.append((start, end))
+        t = self._meets(start, end - start, 1.0)
+        if t is None:
+            return None
+        self.collisions.append(start + t * (end - start))
+        return self.collisions[-1]
+
+    def touch(self, start, direction, prehit_distance, search_distance):
+        self.searches.append((start, direction, prehit_distance))
+        t = self._meets(start, direction, prehit_distance + search_distance)
+        return None if t is None else start + t * direction
+
+
+@pytest.fixture(scope="session")
+def extruded():
+    return ExtrudedPart
