@@ -11,6 +11,11 @@ from pathlib import Path
 import pytest
 
 LAUNCHER = Path(__file__).resolve().parents[1] / "edgescan"
+COMMANDS = (
+    *("demo", "gui", "install"),
+    *("info", "scan", "recommend", "accuracy", "doe", "bench"),
+    "test",
+)
 
 
 def run(*words: str | Path, launcher: Path = LAUNCHER, **environment: str):
@@ -42,13 +47,11 @@ def small_cloud(tmp_path: Path) -> Path:
 def test_help_lists_every_command(words: list[str]) -> None:
     answer = run(*words)
     assert answer.returncode == 0
-    for command in ("demo", "scan", "info", "accuracy", "bench", "install", "gui", "test"):
+    for command in COMMANDS:
         assert f"\n    {command} " in answer.stdout
 
 
-@pytest.mark.parametrize(
-    "command", ["demo", "scan", "info", "accuracy", "bench", "install", "gui", "test"]
-)
+@pytest.mark.parametrize("command", COMMANDS)
 def test_each_command_has_help_of_its_own(command: str) -> None:
     answer = run(command, "--help")
     assert answer.returncode == 0
