@@ -12,6 +12,9 @@ import freecad_edgescan.experiments.cost_figures as cost_figures
 from freecad_edgescan.experiments.doe_design import Trial
 from freecad_edgescan.experiments.doe_figures import make_figure
 from freecad_edgescan.experiments.doe_scan import trial_cloud
+from freecad_edgescan.experiments.scan_figures import printed_trial
+from freecad_edgescan.scanning import ScanParameters
+from freecad_edgescan.scanning.guidelines import check_possible
 
 POINTS_PER_MM = 930  # of a cloud's width
 
@@ -174,3 +177,10 @@ def test_cancelled_times_are_shown_as_far_as_they_go(bench: Bench, number: str) 
     assert [fraction for fraction, _ in progress.told] == pytest.approx(np.arange(1, 6) / 16)
     assert progress.told[-1][1] == "5 scans"
     assert make_figure(number, progress=CancelsAfter(1)) == ()
+
+
+def test_every_amplitude_can_be_scanned() -> None:
+    """Inequality 4.7.1.1; the scans themselves are too long for a test."""
+    trial = printed_trial(0.1, 0.005, section_radius=100.0)
+    for amplitude in cost_figures.AMPLITUDES:
+        check_possible(ScanParameters(float(amplitude), trial.line_pitch, degree=2))
