@@ -12,7 +12,9 @@ from typing import Any, NoReturn
 from freecad_edgescan.doe_options import DOE_TEXT, add_doe_options
 from freecad_edgescan.file_unit import UNITS
 
-__all__ = ["read_options"]
+__all__ = ["given_parameters", "read_options"]
+
+PROBED = ("line_pitch", "tolerance", "prehit_distance", "search_distance", "degree", "pattern")
 
 Vector = tuple[float, float, float]
 
@@ -77,6 +79,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     _add_method(scan, "patch")
     _add_sizes(scan)
+    _add_probed(scan)
     _add_probe(scan)
     scan.add_argument(
         "-o", "--output", type=Path, action="append", default=[], metavar="FILE",
@@ -103,6 +106,7 @@ def _parser() -> argparse.ArgumentParser:
     )  # fmt: skip
     _add_method(recommend, "probe")
     _add_sizes(recommend)
+    _add_probed(recommend)
     _add_probe(recommend)
 
     info = _add_command(commands, "info", "what is in a cloud file")
@@ -173,6 +177,29 @@ def _add_method(command: argparse.ArgumentParser, default: str) -> None:
         help="patch: all points on both sides; probe: line by line like a measuring machine "
         f"(default: {default})",
     )  # fmt: skip
+
+
+def _add_probed(command: argparse.ArgumentParser) -> None:
+    group = command.add_argument_group("probed scan", "what is not given is chosen, with a reason")
+    for option, text in (
+        ("line-pitch", "distance of the points on a scan line"),
+        ("tolerance", "scanning tolerance of a line section"),
+        ("prehit-distance", "from where a search begins to where the part is expected"),
+        ("search-distance", "to go on behind that"),
+    ):
+        group.add_argument(f"--{option}", type=_number, metavar="MM", help=text)
+    group.add_argument(
+        "--degree", type=_whole_number, metavar="1|2|3", help="of the curve through a side's points"
+    )
+    group.add_argument(
+        "--pattern", metavar="square|zigzag", help="how the scan lines follow each other"
+    )
+
+
+def given_parameters(options: argparse.Namespace) -> dict[str, Any]:
+    """The scan parameters among the options of scan and recommend, by their Python names."""
+    names = ("amplitude", "edge_pitch", *PROBED)
+    return {name: getattr(options, name) for name in names}
 
 
 def _add_sizes(command: argparse.ArgumentParser) -> None:

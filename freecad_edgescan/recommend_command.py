@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 
+from freecad_edgescan.command_options import given_parameters
 from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.scanning import ScanError, ScanParameters, recommend_parameters
 
@@ -18,7 +19,7 @@ def recommend_for_file(options: argparse.Namespace) -> int:
             "There is no place to look at; give --at X,Y,Z, a point near an edge. "
             "edgescan info FILE --picture FILE.png shows where edges are."
         )
-    parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
+    parameters = ScanParameters(**given_parameters(options))
     cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
     texts = [
         recommend_parameters(cloud, at, parameters, options.method).text() for at in options.at

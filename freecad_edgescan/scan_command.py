@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.command_options import given_parameters
 from freecad_edgescan.edge_table import edge_table
 from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.output_files import PICTURES, check_not_the_scan, check_output
@@ -22,7 +23,7 @@ def scan_file(options: argparse.Namespace) -> int:
     """Scan, write, print; answer the exit code."""
     targets = _targets(options)
     _check_outputs(options, len(targets))
-    parameters = ScanParameters(amplitude=options.amplitude, edge_pitch=options.edge_pitch)
+    parameters = ScanParameters(**given_parameters(options))
     cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
     edges, code = _scan_targets(cloud, targets, parameters, options.method)
     if not edges:

@@ -101,7 +101,7 @@ def failures_table(result: DoeResult) -> str:
     """The runs that did not complete, with what chapter 5 names as causes."""
     failed = [run for run in result if not run.completed]
     if not failed:
-        return "Every run completed."
+        return f"Stopped after {len(result)} runs." if result.cancelled else "Every run completed."
     head = (
         f"{'1 run' if len(failed) == 1 else f'{len(failed)} runs'} did not complete (* beyond its "
         "guideline: tolerance ratio and df/s at most 1, s·κ_s at most 0.1 for lines, else 0.6)",

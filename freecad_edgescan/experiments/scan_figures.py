@@ -97,7 +97,9 @@ def _figure(
         found = [errors.get((noise, share, pattern), np.nan) for share in shares]
         curves.append(Curve.of(name, shares, found, measured=True))
     missing = len(places) * len(patterns) - len(errors)
-    notes = (f"{missing} scans did not complete and are missing.",) if missing else ()
+    unmade = len(places) - len(rows)
+    words = f", {unmade * len(patterns)} of them not made" if unmade else ""
+    notes = (f"{missing} scans did not complete and are missing{words}.",) if missing else ()
     label = "length of a line section over its radius, s/r"
     return (Curves(title, label, "average error, mm", tuple(curves), notes, logarithmic=True),)
 

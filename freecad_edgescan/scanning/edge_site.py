@@ -15,6 +15,7 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .automatic import choose_parameters
 from .errors import ScanError
+from .first_contact import first_of_several
 from .first_section import first_section, place_to_look
 from .gait import AdaptiveGait
 from .guidelines import Surroundings
@@ -48,6 +49,7 @@ class EdgeSite:
     room : how far along the surfaces, round the edge, both sides may be used together, mm
     around : the measured surroundings
     sigma : of an edge point measured with patches, both directions across the edge together, mm
+    early : how far outside of the surfaces a virtual probe touches on the average, mm
     air : (3,) unit vector from the edge into the air, or out of the smaller wedge where the air
         is unknown
     """
@@ -56,6 +58,7 @@ class EdgeSite:
     room: float
     around: Surroundings
     sigma: float
+    early: float
     air: np.ndarray
 
 
@@ -103,7 +106,8 @@ def measure_site(
     frame = first.frame
     sides = _places(cloud, lines.points, min(short, settings.reach))
     pitch = given.cloud_pitch or max(_widest_pitch(cloud, side) for side in sides)
-    room = min(seed.reach, _ends(lines.points))
+    smooth = float(np.median(lines.fits.ends, axis=0).min())
+    room = min(seed.reach, _ends(lines.points), smooth)
     inner = edge.convex is False
     offset = -probe if inner else probe
     around = Surroundings(
@@ -121,6 +125,7 @@ def measure_site(
         2.0 * (room - _MARGIN * pitch - around.cut_off) + around.rounding,
         around,
         float(np.median(np.sqrt(np.trace(edge.covariance, axis1=1, axis2=2)))),
+        first_of_several(pitch, cloud.pitch)[0] * cloud.noise,
         outward / np.linalg.norm(outward),
     )
 

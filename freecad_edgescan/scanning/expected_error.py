@@ -19,7 +19,7 @@ class ExpectedError:
 
     Attributes
     ----------
-    model_bias : because the line sections are no polynomials
+    model_bias : because the line sections are no polynomials, and contacts lie too early
     noise_error : standard deviation, because their points scatter
     """
 
@@ -33,7 +33,11 @@ class ExpectedError:
 
 
 def expected_error(
-    around: Surroundings, amplitude: float, line_pitch: float, degree: int
+    around: Surroundings,
+    amplitude: float,
+    line_pitch: float,
+    degree: int,
+    early: float = 0.0,
 ) -> ExpectedError:
     """Expect an error from what is known round an edge.
 
@@ -42,6 +46,7 @@ def expected_error(
     around : what is known about part, probe and cloud
     amplitude, line_pitch : A and ρ_L, mm
     degree : of the line sections
+    early : mm, how far outside of the surfaces contacts lie on the average
     """
     section, fillet, probe = around.radii
     length = around.line_section(amplitude)
@@ -50,6 +55,7 @@ def expected_error(
         return ExpectedError(np.inf, np.inf)
     sigma = around.noise_level / np.sqrt(3.0)
     bias = float(model_error(degree, length, section, around.angle, fillet, probe))
+    bias += early / float(np.sin(0.5 * around.angle))  # both sides, along their bisector
     noise = noise_error(
         degree, points, (points - 1) * line_pitch, section, around.angle, fillet, probe, sigma
     )

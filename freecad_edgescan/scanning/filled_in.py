@@ -7,12 +7,18 @@ from dataclasses import replace
 from typing import Any
 
 from ..cloud.point_cloud import PointCloud
-from .parameters import ScanParameters
+from .parameters import Compensation, ScanParameters, Steering, Tangent
 
-__all__ = ["GIVEN", "SEARCH_DISTANCE", "filled_in", "with_distances", "with_probe_of"]
+__all__ = ["GIVEN", "SEARCH_DISTANCE", "WAYS", "filled_in", "with_distances", "with_probe_of"]
 
 GIVEN = "given"
 SEARCH_DISTANCE = (30.0, "as in the published case study (appendix F)")
+# The ways of a probed scan that nobody has to choose.
+WAYS = {
+    "tangent": (Tangent.POLYNOMIALS, "follows sides that bend (4.4.1.3)"),
+    "steering": (Steering.TANGENT, "the edge's direction is smoothed anyway"),
+    "compensation": (Compensation.INTERSECTION, "each line with its neighbours (4.5.4)"),
+}
 _PREHIT = 4.0  # cloud pitches (Schreve appendix F)
 
 

@@ -214,7 +214,7 @@ class Guidelines:
                 + (", and what points off the scanning plane add to it." if projected else "."),
             ),
         )  # fmt: skip
-        bounds = tuple(bound for bound in every if np.isfinite(bound.value))  # planes have none
+        bounds = tuple(bound for bound in every if 0.0 < bound.value < np.inf)  # planes have none
         return cls(bounds, tuple(_contradictions(bounds)))
 
     @classmethod

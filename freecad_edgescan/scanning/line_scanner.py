@@ -292,7 +292,7 @@ def _point(answer: np.ndarray) -> np.ndarray:
     """What a machine answered, when it is a point."""
     point = numbers(answer)
     if point is None:
-        raise ValueError(f"it answered {answer!r} instead of three finite numbers")
+        raise ValueError(f"an answer of {answer!r} instead of three finite numbers")
     return point
 
 

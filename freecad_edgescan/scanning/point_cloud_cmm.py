@@ -14,6 +14,7 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .cloud_touch import BallTouch, ClosestTouch, Touch, TriangleTouch
 from .errors import ScanError
+from .first_contact import first_of_several
 
 __all__ = ["KINDS", "PointCloudCmm"]
 
@@ -21,9 +22,6 @@ KINDS = ("closest", "ball", "triangle")
 
 _BALL = 4.0  # pitches, radius of the virtual ball: large enough not to dip deep between points
 _STRIDE = 8.0  # pitches that a search looks ahead at a time, where nothing is expected
-# Number of points, and how early the first of them lies, over how much it scatters (the mean and
-# the standard deviation of the largest of several standard normal numbers).
-_FIRST_OF_SEVERAL = ([1, 2, 3, 4, 5, 7, 10, 20], [0, 0.68, 1.13, 1.47, 1.74, 2.16, 2.62, 3.56])
 _APPROACH = (0.0, 0.0, -1.0)  # Schreve appendix F
 
 
@@ -84,8 +82,8 @@ class PointCloudCmm:
         """
         if self.kind != "closest":
             return 0.0
-        points = np.pi * (self.pitch / self.cloud.pitch) ** 2
-        return float(np.interp(points, *_FIRST_OF_SEVERAL))
+        early, scatter = first_of_several(self.pitch, self.cloud.pitch)
+        return early / scatter
 
     def move(self, start: np.ndarray, end: np.ndarray) -> np.ndarray | None:
         """Travel without measuring; where it collides, or None (see `Cmm.move`)."""

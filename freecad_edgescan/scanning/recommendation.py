@@ -31,6 +31,7 @@ _LENGTHS = (
     "cloud_pitch",
     "probe_radius",
 )
+_CHOICES = ("degree", "pattern", "tangent", "steering", "compensation")
 
 
 @dataclass(frozen=True)
@@ -80,17 +81,17 @@ class Recommendation:
 
     def text(self) -> str:
         """Everything, for a person."""
-        x, y, z = self.place
+        x, y, z = np.round(self.place, 9) + 0.0
         lines = [
             f"Edge near ({x:.4g}, {y:.4g}, {z:.4g}), scanned with method {self.method!r}",
             f"  surfaces         {self._surfaces()}",
             f"  angle            {np.degrees(self.angle):.1f} deg",
             f"  rounding         {self._rounding()}",
-            f"  cloud pitch      {self.cloud_pitch:.4g} mm",
+            f"  cloud pitch      {self.cloud_pitch:.4g} mm, the largest distance between points",
             f"  noise level      {self.noise_level:.4g} mm",
             "Parameters",
         ]
-        for name in (*_LENGTHS, "degree", "pattern", "approach"):
+        for name in (*_LENGTHS, *_CHOICES, "approach"):
             value = getattr(self.parameters, name)
             if value is not None:
                 words = name.replace("_", " ")
@@ -214,5 +215,9 @@ def _text(name: str, value: object) -> str:
     if name in _LENGTHS:
         return f"{value:.4g} mm"
     if name == "approach":
-        return "(" + ", ".join(f"{part:.3g}" for part in np.asarray(value)) + ")"
+        return (
+            "("
+            + ", ".join(f"{part:.3g}" for part in np.round(np.asarray(value, dtype=float), 6) + 0.0)
+            + ")"
+        )
     return str(value)

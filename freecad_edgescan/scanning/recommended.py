@@ -14,8 +14,9 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .edge_site import EdgeSite, measure_site
 from .error_model import largest_deviation
+from .errors import ScanError
 from .expected_error import ExpectedError, expected_error
-from .filled_in import GIVEN, filled_in, with_distances, with_probe_of
+from .filled_in import GIVEN, SEARCH_DISTANCE, WAYS, filled_in, with_distances, with_probe_of
 from .guidelines import LEAST_PITCHES, Guidelines, Surroundings, check_possible, least_tolerance
 from .parameters import Pattern, ScanParameters
 from .safeguards import Safeguards
@@ -29,6 +30,8 @@ __all__ = [
 
 Point = Sequence[float] | np.ndarray
 
+_FEWEST_PITCHES = 3.0  # cloud pitches on each side: below it not even lines have their points
+_DEEPEST = 0.25  # amplitudes to search: half a side
 _POINTS = 6  # of a line section, where there is room for them
 _MOST_POINTS = 20  # of a line section: about as many as the best published scans had
 _LONGEST = 20.0  # line sections, in lengths of what is drawn out to the edge: noise grows by 1/5
@@ -83,16 +86,35 @@ def choose_for_site(site: EdgeSite, given: ScanParameters) -> ProbeChoice:
     ------
     ScanError: values that cannot work with this cloud or with each other.
     """
+    if given.amplitude is None:
+        _check_room(site)
     if given.degree is not None:
         best = _for_degree(site, given, given.degree)
     else:
         line, best = (_for_degree(site, given, degree) for degree in (1, 2))
         bias, scatter = line.expected.model_bias, best.expected.noise_error
-        straight = bias < _UNSEEN * scatter
+        straight = bias - best.expected.model_bias <= _UNSEEN * scatter
         best = line if straight else best
         best.reasons["degree"] = _why(straight, bias, scatter)
     check_possible(best.parameters)
     return best
+
+
+def _check_room(site: EdgeSite) -> None:
+    """Refuse an edge whose sides are too short for any scan line.
+
+    Raises
+    ------
+    ScanError
+    """
+    pitch = site.around.cloud_pitch
+    if 0.5 * site.room <= _FEWEST_PITCHES * pitch:
+        raise ScanError(
+            f"The sides of this edge leave {max(0.5 * site.room, 0.0):.3g} mm for a scan line, as "
+            "far as they are smooth and clear of a rounding and of other edges, and the cloud's "
+            f"points lie up to {pitch:.3g} mm apart: too few. Take method='patch', which uses all "
+            "points, or give an amplitude."
+        )
 
 
 def _why(straight: bool, bias: float, scatter: float) -> str:
@@ -115,12 +137,20 @@ def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoi
         amplitude, reasons["amplitude"] = _amplitude(site, degree, line_pitch or least_pitch)
     if line_pitch is None:
         line_pitch, reasons["line_pitch"] = _line_pitch(around, amplitude, degree)
+    # From deep down the far side of a sharp edge is touched from within.
+    search = min(SEARCH_DISTANCE[0], _DEEPEST * amplitude)
     filled = filled_in(
-        with_distances(given, pitch, reasons),
+        given,
         reasons,
+        search_distance=(search, "half a side, at most the 30 mm of appendix F"),
+    )
+    filled = filled_in(
+        with_distances(filled, pitch, reasons),
+        reasons,
+        **WAYS,
         amplitude=(amplitude, ""),
         line_pitch=(line_pitch, ""),
-        edge_pitch=(max(line_pitch, least_pitch), "the line pitch (table 1)"),
+        edge_pitch=_edge_pitch(line_pitch, least_pitch),
         tolerance=_tolerance(around, amplitude, degree, slid),
         degree=(degree, ""),
         pattern=(Pattern.SQUARE, "lines straight across the edge"),
@@ -128,7 +158,7 @@ def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoi
         approach=(tuple(-site.air), "from outside the smaller wedge of the two surfaces"),
     )
     guidelines = Guidelines.of(around, degree, line_pitch, projected=not slid)
-    expected = expected_error(around, amplitude, line_pitch, degree)
+    expected = expected_error(around, amplitude, line_pitch, degree, site.early)
     return ProbeChoice(filled, reasons, guidelines, expected)
 
 
@@ -167,6 +197,12 @@ def _line_pitch(around: Surroundings, amplitude: float, degree: int) -> tuple[fl
     if many > least:
         return many, f"{_MOST_POINTS} points on each side"
     return least, f"{LEAST_PITCHES:g} times the cloud pitch of {around.cloud_pitch:.3g} mm (4.4.4)"
+
+
+def _edge_pitch(line_pitch: float, least: float) -> tuple[float, str]:
+    if line_pitch >= least:
+        return line_pitch, "the line pitch (table 1)"
+    return least, f"{LEAST_PITCHES:g} times the cloud pitch (4.4.4)"
 
 
 def _tolerance(

@@ -15,8 +15,9 @@ _ADVICE = {
     Stop.LIMIT: "raise the edge pitch, or scan on from there",
     Stop.CANCELLED: "what was found until then is kept",
     Stop.COLLISION: "raise the prehit distance, or lower the edge pitch",
-    Stop.REPEATED_POINT: "raise the line pitch, to 1.5 times the cloud pitch or more",
-    Stop.OFF_OBJECT: "the part or the cloud ends there; otherwise raise the search distance",
+    Stop.REPEATED_POINT: "raise the line pitch, or lower the amplitude",
+    Stop.OFF_OBJECT: "the part or the cloud ends there, or a corner or a gap is near; "
+    "a smaller amplitude or a larger search distance may help",
     Stop.NO_EDGE: "choose an amplitude that holds this one edge and no other",
     Stop.TOO_FEW_POINTS: "lower the line pitch, or raise the amplitude or the tolerance",
     Stop.CMM_FAILED: "what was found until then is kept",

@@ -21,6 +21,7 @@ from .start import Gate, Start
 __all__ = ["METHODS", "scan_edge"]
 
 METHODS = ("patch", "probe")
+_MACHINE = ("probe_radius", "approach", "move", "touch")
 
 Point = Sequence[float] | np.ndarray
 
@@ -68,9 +69,12 @@ def scan_edge(
             return scan_with_probe(cloud, at, gate, wanted, min_angle, progress)
         return scan_with_patches(cloud, at, gate, wanted, min_angle, progress)
     if not isinstance(cloud, Cmm):
+        wanting = [name for name in _MACHINE if not hasattr(cloud, name)]
+        what = f", which has no {', '.join(wanting)}" if len(wanting) < len(_MACHINE) else ""
         raise ScanError(
             f"scan_edge needs a PointCloud or a measuring machine and was given "
-            f"{type(cloud).__name__}; make a cloud with read_cloud(path) or PointCloud(points)."
+            f"{type(cloud).__name__}{what}; make a cloud with read_cloud(path) or "
+            "PointCloud(points), or give the machine what a Cmm has."
         )
     if method == "patch":
         raise ScanError("A measuring machine has no points for patches; use method='probe'.")

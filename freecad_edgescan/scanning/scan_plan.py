@@ -12,12 +12,12 @@ from ..cloud.point_cloud import PointCloud
 from .cmm import Cmm
 from .edge_site import EdgeSite
 from .errors import ScanError
-from .filled_in import GIVEN, SEARCH_DISTANCE, filled_in, with_distances, with_probe_of
+from .filled_in import GIVEN, SEARCH_DISTANCE, WAYS, filled_in, with_distances, with_probe_of
 from .guidelines import Guidelines, check_possible
 from .parameters import Pattern, ScanParameters
 from .point_cloud_cmm import PointCloudCmm
 from .recommended import ProbeChoice, measure_and_choose
-from .start import Start
+from .start import Start, numbers
 
 __all__ = ["ScanPlan", "plan_for_cloud", "plan_for_cmm"]
 
@@ -69,6 +69,7 @@ def plan_for_cloud(
     complete = all(getattr(known, name) is not None for name in _MEASURED)
     if isinstance(at, Start) and complete and air_known:
         filled = with_distances(known, float(known.cloud_pitch or 0.0), reasons)
+        filled = filled_in(filled, reasons, **WAYS)
         check_possible(filled)
         return ScanPlan(filled, reasons, at, _pitch_warnings(filled))
     site, choice = measure_and_choose(cloud, at, given, min_angle)
@@ -90,6 +91,7 @@ def plan_for_cmm(cmm: Cmm, start: Start, given: ScanParameters) -> ScanPlan:
             "A measuring machine needs the amplitude, the length of a scan line over both sides "
             "of the edge; give ScanParameters(amplitude=...) in mm."
         )
+    _check_machine(cmm)
     reasons = dict.fromkeys(given.given(), GIVEN)
     amplitude, line_pitch = given.amplitude, given.line_pitch or given.amplitude / 16.0
     air_known = True
@@ -112,12 +114,34 @@ def plan_for_cmm(cmm: Cmm, start: Start, given: ScanParameters) -> ScanPlan:
             "twice the line pitch and the probe radius",
         ),
         search_distance=SEARCH_DISTANCE,
+        **WAYS,
         pattern=(Pattern.SQUARE, "lines straight across the edge"),
         probe_radius=(float(cmm.probe_radius), "the machine's own"),
         approach=(tuple(np.asarray(cmm.approach, dtype=float)), "the machine's own"),
     )
     check_possible(filled)
     return ScanPlan(filled, reasons, start, _pitch_warnings(filled), air_known)
+
+
+def _check_machine(cmm: Cmm) -> None:
+    """Refuse a machine that does not say what its probe is.
+
+    Raises
+    ------
+    ScanError
+    """
+    radius = cmm.probe_radius
+    number = isinstance(radius, int | float | np.number) and not isinstance(radius, bool)
+    if not (number and np.isfinite(radius) and radius >= 0.0):
+        raise ScanError(
+            f"The machine's probe_radius is {radius!r}; it has to be 0, or the radius in mm."
+        )
+    approach = numbers(cmm.approach)
+    if approach is None or not np.any(approach):
+        raise ScanError(
+            f"The machine's approach is {cmm.approach!r}; it has to be the direction in which its "
+            "probe points, three numbers that are not all zero."
+        )
 
 
 def _knows_the_air(cmm: PointCloudCmm, given: ScanParameters) -> bool:

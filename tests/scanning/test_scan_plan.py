@@ -43,7 +43,7 @@ def click(cloud: PointCloud, given: ScanParameters | None = None) -> ScanPlan:
 def test_a_click_gets_every_value_and_its_reason(cloud: PointCloud) -> None:
     plan = click(cloud)
     parameters, reasons, start = plan.parameters, plan.reasons, plan.start
-    optional = {"chord_height", "tangent", "steering", "compensation", "safeguards"}
+    optional = {"chord_height", "safeguards"}
     assert set(parameters.given()) == set(vars(parameters)) - optional
     assert set(reasons) == set(parameters.given())
     assert all(reasons.values())
@@ -171,3 +171,36 @@ def test_points_strewn_at_random_get_a_pitch_without_gaps() -> None:
         found[name] = plan.parameters.cloud_pitch
     assert found["grid"] == pytest.approx(0.5, rel=0.1)
     assert found["strewn"] == pytest.approx(0.5 * np.sqrt(np.log(1000.0) / np.pi), rel=0.15)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "words"),
+    [
+        ("probe_radius", None, "probe_radius is None"),
+        ("probe_radius", -1.0, "probe_radius is -1.0"),
+        ("approach", None, "approach is None"),
+        ("approach", "down", "approach is 'down'"),
+        ("approach", (0, 0, 0), "not all zero"),
+    ],
+)
+def test_a_machine_has_to_say_what_its_probe_is(name: str, value: object, words: str) -> None:
+    machine = Machine()
+    setattr(machine, name, value)
+    with pytest.raises(ScanError, match=words):
+        plan_for_cmm(machine, START, ScanParameters(amplitude=16.0))  # type: ignore[arg-type]
+
+
+def test_sides_too_short_for_scan_lines_are_refused_with_a_way_out() -> None:
+    """A plate of four pitches: patches can do with it, lines cannot."""
+    rng = np.random.default_rng(3)
+    faces = []
+    for low, high in (
+        ([0, 0, 0], [40, 20, 0]),
+        ([0, 0, -2], [40, 20, -2]),
+        ([0, 0, -2], [40, 0, 0]),
+    ):
+        area = np.prod([b - a for a, b in zip(low, high, strict=True) if b > a])
+        faces.append(rng.uniform(low, high, (int(area / 0.25), 3)))
+    plate = PointCloud(np.vstack(faces) + rng.normal(0.0, 0.02, (sum(map(len, faces)), 3)))
+    with pytest.raises(ScanError, match="method='patch'"):
+        plan_for_cloud(plate, (20.0, 0.0, 0.0), ScanParameters(), MIN_ANGLE)

@@ -295,7 +295,7 @@ def test_the_same_point_twice_is_stepped_over_and_stops_the_printed_algorithm():
     assert off_the_edge(edge).max() < 1e-6
     printed = scan(Sticky(), literal=True)
     assert printed.stops[1] is Stop.REPEATED_POINT
-    assert "1.5 times the cloud pitch" in printed.message
+    assert "raise the line pitch" in printed.message
 
 
 def test_a_plane_without_an_edge_is_told():
@@ -447,3 +447,15 @@ def test_what_are_no_safeguards_is_refused():
         ScanParameters(degree=True)
     with pytest.raises(ScanError, match="amplitude is True"):
         ScanParameters(amplitude=True)
+
+
+def test_what_a_machine_wants_is_named():
+    class Blind:
+        probe_radius = 0.0
+        approach = (0.0, 0.0, -1.0)
+
+        def move(self, start, end):
+            return None
+
+    with pytest.raises(ScanError, match="Blind, which has no touch"):
+        scan_edge(Blind(), start(WedgeMachine()), parameters=parameters())
