@@ -9,7 +9,7 @@ from pathlib import Path
 from freecad_edgescan.experiments import run_doe
 from freecad_edgescan.experiments.doe_curves import Curves, draw_curves
 from freecad_edgescan.experiments.doe_result import DoeResult, write_csv
-from freecad_edgescan.experiments.doe_tables import comparison_table, seeds_table
+from freecad_edgescan.experiments.doe_tables import comparison_table, seeds_table, summary
 from freecad_edgescan.experiments.figures import can_draw
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
@@ -31,7 +31,7 @@ def scan_experiments(options: argparse.Namespace) -> int:
     write_csv(results, options.csv)  # before anything is printed: its reader may go away
     drawn = _plot(options.plot, results[0]) if options.plot else []
     if len(results) == 1:
-        print(results[0].summary())
+        print(summary(results[0]))
     else:
         for result in results:
             print(f"Seed {result.seed}\n{comparison_table(result)}\n")

@@ -100,12 +100,6 @@ class DoeResult:
         """The runs of one pattern and degree, by experiment and test."""
         return {(run.experiment, run.test): run for run in self.runs if run.group == group}
 
-    def summary(self) -> str:
-        """The comparison with the published results, as tables."""
-        from .doe_tables import summary
-
-        return summary(self)
-
     def to_csv(self, path: str | Path) -> None:
         """Write one row for each run; errors in mm."""
         write_csv([self], path)

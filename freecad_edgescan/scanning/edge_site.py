@@ -18,7 +18,6 @@ from .errors import ScanError
 from .first_contact import first_of_several
 from .first_section import first_section, place_to_look
 from .gait import AdaptiveGait
-from .guidelines import Surroundings
 from .parameters import ScanParameters
 from .patch_edge import finish_edge
 from .patch_section import PatchSection
@@ -27,6 +26,7 @@ from .scanned_edge import ScannedEdge
 from .section import Frames, SectionPoints
 from .side_fit import SideFits
 from .start import Start
+from .surroundings import Surroundings
 from .trace import Trace, turned
 from .walker import walk
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .error_model import model_error, noise_error
-from .guidelines import Surroundings
+from .surroundings import Surroundings
 
 __all__ = ["ExpectedError", "expected_error"]
 

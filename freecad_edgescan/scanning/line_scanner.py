@@ -17,10 +17,11 @@ import numpy as np
 from .cmm import Cmm
 from .probe_settings import ProbeSettings
 from .probed_line import farthest_from_chord
+from .scan_plane import ScanPlane
 from .start import numbers
 from .stop import Stop
 
-__all__ = ["LineScanner", "ScanPlane", "ScannedLine"]
+__all__ = ["LineScanner", "ScannedLine"]
 
 _MOST_POINTS = 4.0  # times as many as fit on a line of one amplitude
 _SLACK = 1.0 + 1e-6  # of a pitch, for rounding errors
@@ -33,39 +34,6 @@ _NEAR = 0.25  # amplitudes from its target, where a collision is as good as a to
 _FAR = 2.0  # amplitudes between two lines that do not follow each other
 _ROUND_TURNS = (0.6, 1.2, 1.8)  # rad, tried round an edge behind which nothing was touched
 _LEAST_TURN = 0.3  # rad, to the surface behind the edge: below it the probe is there already
-
-
-@dataclass(frozen=True)
-class ScanPlane:
-    """The plane of a scan line: x across the edge in the direction of travel, y into the part.
-
-    Attributes
-    ----------
-    origin : (3,) mm
-    across, inward : (3,) unit vectors of x and y, square to each other
-    wedge : 1 when the smaller wedge of the two surfaces lies on the side of y, -1 when it lies
-        on the other, 0 when that is not known yet
-    """
-
-    origin: np.ndarray
-    across: np.ndarray
-    inward: np.ndarray
-    wedge: float = 0.0
-
-    def place(self, x: float, y: float) -> np.ndarray:
-        """The point (3,) at two coordinates."""
-        return self.origin + x * self.across + y * self.inward
-
-    def coordinates(self, point: np.ndarray) -> tuple[float, float]:
-        """Both coordinates of a point, moved square into the plane."""
-        offset = point - self.origin
-        return float(offset @ self.across), float(offset @ self.inward)
-
-    def direction(self, vector: np.ndarray) -> tuple[float, float]:
-        """Unit coordinates of a direction, moved into the plane."""
-        x, y = float(vector @ self.across), float(vector @ self.inward)
-        size = hypot(x, y)
-        return x / size, y / size
 
 
 @dataclass(frozen=True)

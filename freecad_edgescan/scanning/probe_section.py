@@ -11,11 +11,12 @@ import numpy as np
 
 from .cmm import Cmm
 from .errors import ScanError
-from .line_scanner import LineScanner, ScannedLine, ScanPlane
+from .line_scanner import LineScanner, ScannedLine
 from .parameters import Pattern
 from .probe_settings import ProbeSettings
 from .probed_line import ProbedLine, measure_line
 from .probed_tangent import edge_tangent
+from .scan_plane import ScanPlane
 from .section import Frames, Station, frames_from_sides
 from .start import Start
 from .stop import Stop

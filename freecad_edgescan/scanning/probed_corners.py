@@ -18,8 +18,9 @@ import numpy as np
 from ..geometry.frames import turned_along
 from ..geometry.polynomial_curve import OffsetCurve, fit_polynomial, meeting_parameters
 from .corner import across_axes
+from .line_section import LineSection
 from .probe_settings import ProbeSettings
-from .probed_line import LineSection, ProbedLine, measure_line, without_rounding
+from .probed_line import ProbedLine, measure_line, without_rounding
 from .probed_rounding import rounding_begins
 from .section import Frames, frames_from_sides, unrolled
 from .stop import Stop

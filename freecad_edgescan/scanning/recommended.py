@@ -17,10 +17,11 @@ from .error_model import largest_deviation
 from .errors import ScanError
 from .expected_error import ExpectedError, expected_error
 from .filled_in import GIVEN, SEARCH_DISTANCE, WAYS, filled_in, with_distances, with_probe_of
-from .guidelines import LEAST_PITCHES, Guidelines, Surroundings, check_possible, least_tolerance
+from .guidelines import LEAST_PITCHES, Guidelines, check_possible, least_tolerance
 from .parameters import Pattern, ScanParameters
 from .safeguards import Safeguards
 from .start import Start
+from .surroundings import Surroundings
 
 __all__ = [
     "ProbeChoice",

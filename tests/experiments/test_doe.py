@@ -17,6 +17,7 @@ from freecad_edgescan.experiments.doe_design import trial
 from freecad_edgescan.experiments.doe_pictures import draw_doe
 from freecad_edgescan.experiments.doe_published import published_result
 from freecad_edgescan.experiments.doe_scan import edge_errors, scan_trial, trial_cloud
+from freecad_edgescan.experiments.doe_tables import summary
 from freecad_edgescan.scanning import ScanError
 
 PATCH = {"experiments": [1], "method": "patch"}
@@ -100,7 +101,7 @@ def test_a_scan_that_raises_is_a_failed_run_with_its_text(monkeypatch) -> None:
     assert np.isnan(run.avg_error)
     assert (run.points, run.stop) == (0, "ERROR")
     assert run.message == "There is no edge within reach of this test."
-    assert "no edge within reach" in run_doe(**PATCH, tests=[2], jobs=1).summary()
+    assert "no edge within reach" in summary(run_doe(**PATCH, tests=[2], jobs=1))
 
 
 @pytest.mark.parametrize("jobs", [1, 2])

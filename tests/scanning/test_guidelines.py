@@ -10,13 +10,9 @@ import pytest
 
 from freecad_edgescan.experiments.doe_design import EXPERIMENTS, TESTS, trial
 from freecad_edgescan.scanning.errors import ScanError
-from freecad_edgescan.scanning.guidelines import (
-    Guidelines,
-    Limit,
-    Surroundings,
-    check_possible,
-)
+from freecad_edgescan.scanning.guidelines import Guidelines, Limit, check_possible
 from freecad_edgescan.scanning.parameters import ScanParameters
+from freecad_edgescan.scanning.surroundings import Surroundings
 
 # R = 21, R_p = 1: r = 20 mm. sin φ = 21 · sin 30° / 21 = 1/2, φ = 30°, df = 2 · π/6 · 1 mm.
 PIPE = Surroundings(

@@ -10,9 +10,10 @@ import numpy as np
 import pytest
 
 from freecad_edgescan.scanning import ScanParameters, Stop
-from freecad_edgescan.scanning.line_scanner import LineScanner, ScanPlane
+from freecad_edgescan.scanning.line_scanner import LineScanner
 from freecad_edgescan.scanning.probe_settings import ProbeSettings
 from freecad_edgescan.scanning.safeguards import Safeguards
+from freecad_edgescan.scanning.scan_plane import ScanPlane
 
 AMPLITUDE, PITCH, PREHIT, SEARCH = 8.0, 0.8, 1.0, 10.0
 LEVEL = (1.0, 0.0)

@@ -11,9 +11,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from freecad_edgescan.scanning import ScanParameters, Stop
+from freecad_edgescan.scanning.line_section import clean
 from freecad_edgescan.scanning.probe_settings import ProbeSettings
 from freecad_edgescan.scanning.probed_line import (
-    clean,
     farthest_from_chord,
     measure_line,
     without_rounding,

@@ -8,7 +8,8 @@ import pytest
 
 import freecad_edgescan as es
 from freecad_edgescan.scanning import Recommendation
-from freecad_edgescan.scanning.guidelines import Guidelines, Surroundings
+from freecad_edgescan.scanning.guidelines import Guidelines
+from freecad_edgescan.scanning.surroundings import Surroundings
 
 TORUS = es.TorusObject(30.0, 60.0, np.radians(110.0), fillet_radius=1.0, probe_radius=1.0)
 EDGE = (0.0, 60.0, -30.0)

@@ -13,8 +13,9 @@ from freecad_edgescan.scanning import (
     Stop,
     scan_edge,
 )
-from freecad_edgescan.scanning.line_scanner import LineScanner, ScanPlane
+from freecad_edgescan.scanning.line_scanner import LineScanner
 from freecad_edgescan.scanning.probe_settings import ProbeSettings
+from freecad_edgescan.scanning.scan_plane import ScanPlane
 
 BLUNT = np.radians(100.0)
 
