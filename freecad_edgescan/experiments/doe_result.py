@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator, Sequence
-from dataclasses import astuple, dataclass, fields
+from dataclasses import dataclass, fields
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +15,8 @@ __all__ = ["DoeResult", "DoeRun", "Group", "group_name"]
 
 Group = tuple[str, int]  # pattern and degree
 PATCH: Group = ("patch", 0)
+_LENGTHS = ("avg_error", "max_error", "rms_error", "bound")
+_SHARES = (50, 95)  # per cent of the edge points
 
 
 @dataclass(frozen=True)
@@ -31,6 +33,9 @@ class DoeRun:
     completed : whether the scan reached the gate along the edge
     stop : name of the reason why it ended, ERROR when there is no edge at all
     message : what the scan says about it
+    rms_error : root mean square of the distances, mm
+    bound : the smallest one that is possible for unbiased edge points (see `edge_bound`), mm
+    mahalanobis : of each edge point's error, by the covariance that the scan states for it
     """
 
     experiment: int
@@ -43,6 +48,9 @@ class DoeRun:
     completed: bool
     stop: str = ""
     message: str = ""
+    rms_error: float = np.nan
+    bound: float = np.nan
+    mahalanobis: tuple[float, ...] = ()
 
     @property
     def group(self) -> Group:
@@ -107,14 +115,16 @@ class DoeResult:
 
 def write_csv(results: Sequence[DoeResult], path: str | Path) -> None:
     """Write the runs of one or more seeds into one table."""
-    units = {"avg_error": "avg_error_mm", "max_error": "max_error_mm"}
-    names = [units.get(field.name, field.name) for field in fields(DoeRun)]
+    names = [field.name for field in fields(DoeRun) if field.name != "mahalanobis"]
+    titles = [f"{name}_mm" if name in _LENGTHS else name for name in names]
     with Path(path).open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow(["seed", *names])
+        writer.writerow(["seed", *titles, *(f"mahalanobis_{share}" for share in _SHARES)])
         for result in results:
             for run in result:
-                writer.writerow([result.seed, *map(_text, astuple(run))])
+                values = (getattr(run, name) for name in names)
+                honesty = np.percentile(run.mahalanobis or [np.nan], _SHARES)
+                writer.writerow([result.seed, *map(_text, values), *map(_text, honesty)])
 
 
 def group_name(group: Group) -> str:

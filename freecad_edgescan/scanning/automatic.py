@@ -16,7 +16,10 @@ from .seed import Seed
 
 MIN_ANGLE = 0.26  # rad, least turn between the two sides of an edge
 _AMPLITUDE = 44.0  # pitches
-_ROUNDED = 1.3  # times half an amplitude: how far the sides of a rounded edge may reach
+_ROUNDED = 1.6  # times half an amplitude: how far the sides of a rounded edge may reach
+# Times what a rounding seems to take away, as far a side has to reach to be as long as the way
+# round the edge (Schreve 5.3.4.6.1); where it is shorter, the rounding seems smaller than it is.
+_SIDE = 3.5
 _EDGE_PITCH = 2.0  # pitches
 _LEAST_NOISE = 0.03  # pitches: below it a surface's own form matters more than noise
 _NEIGHBOURHOOD = 15.0  # pitches round the start in which the pitch is measured
@@ -45,9 +48,20 @@ class Chosen:
         """
         if self.reasons.get("amplitude") == "given":
             half_turn = 0.5 * float(seed.station.frame.turn[0])
-            cut_off = max(seed.station.begins) * (1.0 - half_turn / np.tan(half_turn))
+            begins = float(np.mean(seed.station.begins))
+            cut_off = begins * (1.0 - half_turn / np.tan(half_turn))
             reach = self.settings.reach + min(cut_off, (_ROUNDED - 1.0) * self.settings.reach)
-            return replace(self, settings=self.settings.with_reach(reach))
+            if reach >= _SIDE * begins:
+                return replace(self, settings=self.settings.with_reach(reach))
+            reason = (
+                f"given; {2.0 * seed.reach:.3g} mm are used, since a rounding of this edge leaves "
+                "less of the sides than it takes away"
+            )
+            return Chosen(
+                self.parameters,
+                {**self.reasons, "amplitude": reason},
+                self.settings.with_reach(max(reach, seed.reach)),
+            )
         if seed.reach >= self.settings.reach:
             return self
         reason = "farther from the edge the two sides do not tell more about it"

@@ -142,7 +142,7 @@ def _variance_at(
     n = np.einsum("mka,mka->mk", along_normal, foot)
     terms = np.stack([np.ones_like(s), s, 0.5 * (s**2 + n**2), np.zeros_like(s)], axis=-1)
     leverage = np.einsum("mki,mkij,mkj->mk", terms, fits.inverse, terms)
-    return fits.variance * leverage * fits.reach**2
+    return (fits.variance * leverage + fits.astray) * fits.reach**2
 
 
 def _inverse_2x2(matrix: np.ndarray) -> np.ndarray:

@@ -119,7 +119,12 @@ def _supplied_fits(
     def fit(summed: np.ndarray) -> SideFits:
         fits = fit_summed(summed, reach, local, pooled.stretch, *curvature)
         # One section alone knows its own scatter badly; its neighbours' is the same.
-        return replace(fits, variance=pooled.variance, accepted=fits.accepted & pooled.accepted)
+        return replace(
+            fits,
+            variance=pooled.variance,
+            accepted=fits.accepted & pooled.accepted,
+            astray=pooled.astray,
+        )
 
     fits, summed, width = fit(own), own, 0
     for wider in _WIDER:
@@ -144,6 +149,7 @@ def _supplied_fits(
                         "count",
                         "stretch",
                         "accepted",
+                        "astray",
                     )
                 )
             ),

@@ -174,6 +174,7 @@ def select_sections(measured: Measured, part: slice) -> Measured:
         fits.count[part],
         fits.stretch[part],
         fits.accepted[part],
+        fits.astray[part],
     )
     return replace(
         measured,

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.ndimage import convolve1d, percentile_filter
+from scipy.ndimage import convolve1d, percentile_filter, uniform_filter1d
 
 from .edge_path import EdgePath
 from .patch_section import PatchSettings
@@ -104,7 +104,10 @@ def _decide(
         slack=0.05,
         scatter=1.8,
         doubtful=None if doubtful is None else doubtful[few],
+        together=True,
     )
+    # Where a rounding is taken for the side it is so all along; each decision sees it by chance.
+    astray = uniform_filter1d(chosen.astray, 3, axis=0, mode="wrap" if path.closed else "nearest")
     nearest = np.minimum((np.arange(len(path)) + stride // 2) // stride, len(few) - 1)
     stretch = chosen.stretch[nearest]
     fits = fit_summed(
@@ -115,7 +118,7 @@ def _decide(
         expected,
         np.full(expected.shape, PRIOR_SIGMA[2]),
     )
-    return replace(fits, accepted=fits.accepted & chosen.accepted[nearest])
+    return replace(fits, accepted=fits.accepted & chosen.accepted[nearest], astray=astray[nearest])
 
 
 def _pool(values: np.ndarray, path: EdgePath, width: int = _POOLED) -> np.ndarray:

@@ -54,6 +54,9 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
             f"The two sides meet {outside:.3g} mm outside the points: a rounding or wear has taken "
             "the edge away, or there never was a sharp one."
         )
+    amplitude = edge.reasons.get("amplitude", "")
+    if amplitude.startswith("given; "):
+        sentences.append(f"The amplitude of {edge.parameters.amplitude:.3g} mm was {amplitude}.")
     bridged = int((~edge.supported).sum())
     if bridged:
         sentences.append(f"{bridged} of {len(edge)} edge points bridge gaps in the cloud.")

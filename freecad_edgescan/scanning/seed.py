@@ -153,7 +153,9 @@ def _confirmed(
     within: float | None,
 ) -> Seed | None:
     """Measure a proposed section with growing reach; None when it is not an edge near the click."""
-    seed = measure_growing(cloud, frame, max(radius, 8.0 * settings.cloud_pitch), settings)
+    # Whoever gives a start knows that there is an edge.
+    shortest = max(radius, 8.0 * settings.cloud_pitch)
+    seed = measure_growing(cloud, frame, shortest, settings, patient=along is not None)
     if seed is None:
         return None
     station, found = seed.station, seed.station.frame
@@ -170,9 +172,12 @@ def _confirmed(
 
 
 def measure_growing(
-    cloud: PointCloud, frame: Frames, reach: float, settings: PatchSettings
+    cloud: PointCloud, frame: Frames, reach: float, settings: PatchSettings, patient: bool = False
 ) -> Seed | None:
-    """Measure with growing reach, each time knowing the shape better; keep the best known edge."""
+    """Measure with growing reach, each time knowing the shape better; keep the best known edge.
+
+    A short look at a wide rounding sees no edge at all; a patient one goes on from there.
+    """
     best = None
     while True:
         reach = min(reach, settings.reach)
@@ -183,7 +188,7 @@ def measure_growing(
             if best is None or measured.sigma < 1.1 * best.station.sigma:
                 best = Seed(measured, reach)
             frame = measured.frame
-        elif best is None:
+        elif best is None and not patient:
             return None
         if reach >= settings.reach:
             return best

@@ -35,6 +35,16 @@ _COVERAGE = 4
 # Reach over radius of curvature beyond which a stretch is a rounding, not a side.
 _MOST_CURVED = 1.3
 
+# Blocks that are left out, one after the other, to see whether they move the edge, and by how many
+# standard deviations they may.
+_LATER = (1, 2)
+# Where there are many points: powers of a stretch's misfit, and of how far its first blocks move
+# the edge, by which it is taken less gladly, and how many times less gladly if there is any.
+_UNEVEN = (12, 6)
+_UNEVEN_AT_ALL = 30.0
+_MOST_MOVED = 3.0
+_BY_CHANCE = 2.5  # variances by which they may be taken to move it by chance
+
 # How many times the expected number of points a block may hold at full weight.
 _CROWD = 2.0
 
@@ -56,6 +66,8 @@ class SideFits:
     count : (m, 2) number of points in the fit
     stretch : (m, 2, 2) first and last block (exclusive) of the stretch that was fitted
     accepted : (m, 2) whether the stretch is one smooth surface within the noise
+    astray : (m, 2) variance by which the stretch's first blocks move the edge beyond what noise
+        does, in units of reach²; a rounding may have begun there
     """
 
     reach: float
@@ -65,6 +77,7 @@ class SideFits:
     count: np.ndarray
     stretch: np.ndarray
     accepted: np.ndarray
+    astray: np.ndarray
 
     @property
     def begins(self) -> np.ndarray:
@@ -133,8 +146,8 @@ def block_counts(points: SectionPoints, sections: int, reach: float) -> np.ndarr
     return np.bincount(bins, minlength=sections * 2 * BLOCKS).reshape(sections, 2, BLOCKS)
 
 
-def _stretches(shortest: int) -> tuple[np.ndarray, np.ndarray]:
-    first, last = np.triu_indices(BLOCKS + 1, k=shortest)
+def _stretches() -> tuple[np.ndarray, np.ndarray]:
+    first, last = np.triu_indices(BLOCKS + 1, k=2)
     return first, last
 
 
@@ -147,7 +160,7 @@ def choose_stretches(
     slack: float = 0.3,
     scatter: float = 1.25,
     doubtful: np.ndarray | None = None,
-    shortest: int = 2,
+    together: bool = False,
 ) -> SideFits:
     """Fit every stretch of blocks of every side, and keep the one that knows the edge best.
 
@@ -166,8 +179,9 @@ def choose_stretches(
     scatter : variance of a stretch's points that is tolerated, in noise squared
     doubtful : (m, 2, BLOCKS) blocks that lost many of their points as outliers: where a rounding
         begins, the points that are left only look like the side
+    together : whether the points are those of many sections, which see far smaller departures
     """
-    first, last = _stretches(shortest)
+    first, last = _stretches()
     sections = len(moments)
     variance = np.broadcast_to(np.square(np.asarray(noise, dtype=float) / reach), (sections, 2))
     cumulated = np.zeros((sections, 2, BLOCKS + 1, moments.shape[-1]))
@@ -197,21 +211,36 @@ def choose_stretches(
     )
     populated = np.sum(within & filled[:, :, None, :], axis=-1)
     enough = (count >= 8) & (populated >= 2) & filled[..., first] & filled[..., last - 1]
-    smooth = (ratio <= scatter * (1.0 + 3.0 * np.sqrt(2.0 / degrees))) & (worst <= 3.3)
+    # How far a stretch departs from one smooth surface, 1 where it may just be one.
+    badness = np.maximum(
+        ratio / (scatter * (1.0 + 3.0 * np.sqrt(2.0 / degrees))), np.square(worst / 3.3)
+    )
     # A rounding is a smooth stretch too; its curvature, and the points it leaves over, tell.
     bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
-    smooth &= np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
-    smooth &= np.abs(coefficients[..., 2]) <= _MOST_CURVED
+    side = np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
+    side &= np.abs(coefficients[..., 2]) <= _MOST_CURVED
     if doubtful is not None:
-        smooth &= ~np.any(within & doubtful[:, :, None, :], axis=-1)
+        side &= ~np.any(within & doubtful[:, :, None, :], axis=-1)
     # Share of the length, not of the points: scans crowd points on roundings.
     length = np.diff(BLOCK_EDGES) * filled
     share = np.sum(within * length[:, :, None], axis=-1)
     share /= np.maximum(length.sum(axis=-1), 1e-9)[..., None]
     extrapolated = variance[..., None] * inverse[..., 0, 0] / np.maximum(share, 0.05) ** _COVERAGE
-    # A stretch that is not smooth is only taken when none is, and then the least bad one.
-    badness = np.maximum(np.maximum(ratio, (worst / 3.3) ** 2), 1.0)
-    score = np.where(smooth, extrapolated, 1e6 * extrapolated * badness**2)
+    badness, astray = np.maximum(badness, 1.0), np.zeros_like(badness)
+    even = side & (badness <= 1.0)
+    if together:
+        # Many points see the smallest unevenness: a little of it is put up with where those
+        # stretches that have none know far less.
+        # Tolerated misfits of the blocks count as if their points were fewer.
+        known = variance[..., None] * (1.0 + slack**2 * count / np.maximum(populated, 1))
+        moved, astray = _moved(coefficients[..., 0], inverse[..., 0, 0], known, enough)
+        moved = np.maximum(moved / _MOST_MOVED**2, 1.0)
+        score = extrapolated * badness ** _UNEVEN[0] * moved ** _UNEVEN[1]
+        even &= moved <= 1.0
+        score = np.where(even, score, np.where(side, _UNEVEN_AT_ALL, 1e6) * score)
+    else:
+        # A stretch that is not smooth is only taken when none is, and then the least bad one.
+        score = np.where(even, extrapolated, 1e6 * extrapolated * badness**2)
     score = np.where(enough, score, np.inf)
     best = np.argmin(score, axis=-1)
     m, k = np.indices(best.shape)
@@ -223,8 +252,37 @@ def choose_stretches(
         spread,
         count[m, k, best],
         np.stack([first[best], last[best]], axis=-1),
-        (smooth & enough)[m, k, best],
+        (even & enough)[m, k, best],
+        astray[m, k, best],
     )
+
+
+def _moved(
+    position: np.ndarray, leverage: np.ndarray, variance: np.ndarray, enough: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """How far a stretch's first blocks move the edge, (m, 2, stretches).
+
+    Where a rounding has begun unnoticed within the scatter, the side turns towards it, and this
+    moves the edge, over which the side is drawn out, many times farther. The variance of the
+    difference of a fit and the fit to a part of its points is the difference of their variances
+    (Hausman, Econometrica 46, 1978).
+
+    Returns
+    -------
+    the square of the movement, in variances, and what of it is more than noise does
+    """
+    first, last = _stretches()
+    number = np.full((BLOCKS + 1, BLOCKS + 1), -1)
+    number[first, last] = np.arange(len(first))
+    moved, astray = np.zeros((2, *enough.shape))
+    for later in _LATER:
+        rest = number[np.minimum(first + later, BLOCKS), last]
+        known = enough[..., rest] & (rest >= 0)
+        gap = np.square(position[..., rest] - position)
+        free = np.maximum(leverage[..., rest] - leverage, 1e-12 * leverage[..., rest])
+        moved = np.maximum(moved, np.where(known, gap / (variance * free), 0.0))
+        astray = np.maximum(astray, np.where(known, gap - _BY_CHANCE * variance * free, 0.0))
+    return moved, astray
 
 
 def fit_summed(
@@ -239,7 +297,9 @@ def fit_summed(
     variance = np.square(noise / reach)
     coefficients, inverse, misfit, count = _solve(summed, variance, curvature, curvature_sigma)
     spread = misfit / np.maximum(count - 3.0, 1.0)
-    return SideFits(reach, coefficients, inverse, spread, count, stretch, count >= 6)
+    return SideFits(
+        reach, coefficients, inverse, spread, count, stretch, count >= 6, np.zeros_like(spread)
+    )
 
 
 def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:

@@ -18,7 +18,7 @@ from freecad_edgescan.experiments.doe_pictures import draw_doe
 from freecad_edgescan.experiments.doe_published import published_result
 from freecad_edgescan.experiments.doe_scan import edge_errors, scan_trial, trial_cloud
 from freecad_edgescan.experiments.doe_tables import summary
-from freecad_edgescan.scanning import ScanError
+from freecad_edgescan.scanning import ScanError, ScannedEdge
 
 PATCH = {"experiments": [1], "method": "patch"}
 REFUSED = {**PATCH, "overrides": {"amplitude": "wide"}}  # quick: every run fails
@@ -85,10 +85,15 @@ def test_half_the_amplitude_off_or_too_few_points_is_not_completed(monkeypatch) 
     far[30, 2] -= 0.02 * row.amplitude
     assert completes(replace(edge, points=far))
     fewest = int(np.ceil(0.8 * row.nominal_points))
-    assert completes(replace(edge, points=edge.points[:fewest]))
-    assert not completes(replace(edge, points=edge.points[: fewest - 1]))
+
+    def first(count: int) -> ScannedEdge:
+        parts = ("points", "normals", "covariance")
+        return replace(edge, **{name: getattr(edge, name)[:count] for name in parts})
+
+    assert completes(first(fewest))
+    assert not completes(first(fewest - 1))
     assert not completes(replace(edge, stops=(edge.stops[0], edge.stops[0])))
-    assert not completes(replace(edge, points=edge.points[:0]))
+    assert not completes(first(0))
 
 
 def test_a_scan_that_raises_is_a_failed_run_with_its_text(monkeypatch) -> None:

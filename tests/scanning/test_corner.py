@@ -23,6 +23,7 @@ def exact_fits(coefficients, variance=1e-6, inverse=None):
         np.full((1, 2), 100.0),
         np.array([[[0, BLOCKS]] * 2]),
         np.ones((1, 2), dtype=bool),
+        np.zeros((1, 2)),
     )
 
 
