@@ -66,7 +66,7 @@ def make_pipe(
         make_arc_profile(doc, cloud, rails, float(share), name=f"Pipe{number}Profile")
         for share in np.linspace(*_ENDS, profiles)
     ]
-    sweep = make_sweep(doc, arcs[0], rails[0], name=f"Pipe{number}Sweep")
+    sweep = make_sweep(doc, arcs[0], rails[1], name=f"Pipe{number}Sweep")
     loft = make_loft(doc, arcs, name=f"Pipe{number}Loft")
     group = doc.addObject("App::DocumentObjectGroup", f"Pipe{number}Profiles")
     group.addObjects(arcs)

@@ -185,7 +185,7 @@ def _run(task: RowTask, group: Group, cloud: SimulatedCloud) -> DoeRun:
         message=edge.message,
         rms_error=float(np.sqrt(np.mean(np.square(errors)))),
         bound=edge_bound(trial, cloud),
-        mahalanobis=tuple(mahalanobis(trial, edge).tolist()),
+        mahalanobis=tuple(float(d) for d in mahalanobis(trial, edge)),
     )
 
 

@@ -71,5 +71,5 @@ def _turned_at_most(known: np.ndarray, tangent: np.ndarray, largest: float) -> n
     if cosine >= np.cos(largest):
         return tangent
     aside = tangent - cosine * known
-    aside = aside / max(float(np.linalg.norm(aside)), 1e-300)
-    return np.asarray(np.cos(largest) * known + np.sin(largest) * aside)
+    size = max(float(np.linalg.norm(aside)), 1e-300)
+    return np.asarray(np.cos(largest) * known + np.sin(largest) / size * aside)
