@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from freecad_edgescan.doe_options import refuse_run_options
 from freecad_edgescan.experiments import run_doe
 from freecad_edgescan.experiments.doe_curves import Curves, draw_curves
 from freecad_edgescan.experiments.doe_result import DoeResult, write_csv
@@ -72,7 +73,7 @@ def _run(options: argparse.Namespace) -> tuple[list[DoeResult], int]:
             )
         results += [result] if result.runs else []
         if progress.cancelled:
-            return results, exit_code(progress)
+            return results, exit_code(progress, bool(results))
     return results, 0
 
 
@@ -93,6 +94,7 @@ def _check_plot(folder: Path | None) -> None:
 
 
 def _figure(options: argparse.Namespace) -> int:
+    refuse_run_options(options)
     name = options.compare or f"figure-{options.figure}"
     path = options.output or Path(f"{name}.png")
     check_output(path, PICTURES)
@@ -118,7 +120,7 @@ def _figure(options: argparse.Namespace) -> int:
                 progress,
             )
     _show(found, path)
-    return exit_code(progress)
+    return exit_code(progress, bool(found))
 
 
 def _show(found: tuple[Curves, ...], path: Path) -> None:

@@ -7,13 +7,23 @@ import argparse
 import re
 from pathlib import Path
 
-__all__ = ["DOE_TEXT", "add_doe_options"]
+__all__ = ["DOE_TEXT", "add_doe_options", "refuse_run_options"]
 
 FIGURES = (
     *("5.2", "5.3", "5.4", "5.5", "5.6", "5.7", "5.8", "5.9"),
     *("5.37", "5.38", "D.9", "D.10", "D.11", "D.12"),
 )
 CHOICES = ("compensation", "tangent")
+
+# What only the experiments themselves take, not a figure or a comparison.
+_OF_RUNS = {
+    "experiments": tuple(range(1, 13)),
+    "patterns": ("zigzag", "square"),
+    "degrees": (1, 2),
+    "seeds": None,
+    "csv": Path("doe.csv"),
+    "plot": None,
+}
 
 DOE_TEXT = """Simulates the 192 objects of Schreve's experiments (appendix E), scans each in two
 patterns and two degrees, and compares the errors with the published ones. Prints
@@ -36,15 +46,15 @@ examples:
 def add_doe_options(doe: argparse.ArgumentParser) -> None:
     """Declare the options of ``edgescan doe``."""
     doe.add_argument(
-        "--experiments", type=_numbers, default=tuple(range(1, 13)), metavar="1-12",
+        "--experiments", type=_numbers, default=_OF_RUNS["experiments"], metavar="1-12",
         help="which, such as 3 or 1-4,8 (default: all)",
     )  # fmt: skip
     doe.add_argument(
-        "--patterns", type=_words, default=("zigzag", "square"), metavar="zigzag,square",
+        "--patterns", type=_words, default=_OF_RUNS["patterns"], metavar="zigzag,square",
         help="how the scan lines follow each other (default: both)",
     )  # fmt: skip
     doe.add_argument(
-        "--degrees", type=_numbers, default=(1, 2), metavar="1,2",
+        "--degrees", type=_numbers, default=_OF_RUNS["degrees"], metavar="1,2",
         help="of the curve through a side's points: 1 line, 2 quadratic, 3 cubic (default: 1,2)",
     )  # fmt: skip
     doe.add_argument(
@@ -61,7 +71,7 @@ def add_doe_options(doe: argparse.ArgumentParser) -> None:
         "--literal", action="store_true", help="the algorithm as printed, without what was added"
     )
     doe.add_argument(
-        "--csv", type=Path, default=Path("doe.csv"), metavar="FILE.csv",
+        "--csv", type=Path, default=_OF_RUNS["csv"], metavar="FILE.csv",
         help="where the table of all runs goes (default: doe.csv)",
     )  # fmt: skip
     doe.add_argument(
@@ -81,6 +91,16 @@ def add_doe_options(doe: argparse.ArgumentParser) -> None:
         "-o", "--output", type=Path, metavar="FILE.png",
         help="picture of --figure or --compare (default: figure-NUMBER.png, CHOICE.png)",
     )  # fmt: skip
+
+
+def refuse_run_options(options: argparse.Namespace) -> None:
+    """Raise ValueError when an option was given that a figure or a comparison would not heed."""
+    given = [name for name, default in _OF_RUNS.items() if getattr(options, name) != default]
+    if given:
+        instead = "--compare" if options.compare else "--figure"
+        raise ValueError(
+            f"--{given[0]} is not for {instead}, which has runs of its own; leave it out."
+        )
 
 
 def _numbers(text: str) -> tuple[int, ...]:

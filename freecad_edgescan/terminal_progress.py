@@ -80,11 +80,12 @@ class TerminalProgress:
         self.cancelled = True
 
 
-def exit_code(progress: TerminalProgress) -> int:
-    """0, or what a shell expects after Ctrl-C."""
+def exit_code(progress: TerminalProgress, found: bool = True) -> int:
+    """0, or what a shell expects after Ctrl-C, which is told whether anything was found before."""
     if not progress.cancelled:
         return 0
-    tell("stopped; what was found so far is kept.")
+    kept = "what was found so far is kept" if found else "nothing was complete yet"
+    tell(f"stopped; {kept}.")
     return 130
 
 

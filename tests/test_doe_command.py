@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+import signal
 from dataclasses import replace
 from pathlib import Path
 
@@ -100,6 +101,8 @@ def test_a_figure_is_printed_and_drawn(monkeypatch, capsys, tmp_path: Path) -> N
         (["--seed", "1", "--seeds", "2"], "not allowed with"),
         (["--figure", "5.1"], "5.1"),
         (["--figure", "5.6", "--compare", "tangent"], "not allowed with"),
+        (["--figure", "5.6", "--experiments", "3"], "--experiments is not for --figure"),
+        (["--compare", "tangent", "--seeds", "2"], "--seeds is not for --compare"),
         (["-o", "picture.png"], "--figure or --compare"),
         (["--csv", "doe.txt"], "unknown ending"),
         (["--csv", "nowhere/doe.csv"], "no folder nowhere"),
@@ -123,6 +126,24 @@ def test_what_cannot_work_is_one_sentence(
     assert said in error
     assert len(error.strip().splitlines()) == 1
     assert not Path("doe.csv").exists()
+
+
+def test_a_comparison_stopped_before_its_first_part_says_that_nothing_is_there(
+    monkeypatch, capsys, tmp_path: Path
+) -> None:
+    monkeypatch.chdir(tmp_path)
+
+    def interrupted(choice, seed, jobs, progress):
+        signal.raise_signal(signal.SIGINT)
+        assert not progress.update(0.1, "part 1 of 4")
+        return ()
+
+    monkeypatch.setattr("freecad_edgescan.experiments.doe_choices.compare_choices", interrupted)
+    assert main(["doe", "--compare", "compensation"]) == 130
+    said = capsys.readouterr()
+    assert said.out == ""
+    assert "nothing was complete yet" in said.err
+    assert not list(tmp_path.iterdir())
 
 
 def test_options_are_read_without_loading_numbers() -> None:

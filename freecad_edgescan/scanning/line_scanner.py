@@ -32,6 +32,9 @@ _ONWARD = 0.9  # cosine between a step and the surface behind the edge, that lie
 _LONGER_STEPS = (2.0, 3.0)  # line pitches, tried after a point that was touched twice
 _NEAR = 0.25  # amplitudes from its target, where a collision is as good as a touch
 _FAR = 2.0  # amplitudes between two lines that do not follow each other
+_EDGE_GAP = 0.5  # line pitches between the contacts beside the edge
+_GOOD_GAP = 0.2  # line pitches that such a gap may be longer
+_BESIDE = 0.15  # line pitches that the edge may lie beside where it was predicted
 _ROUND_TURNS = (0.6, 1.2, 1.8)  # rad, tried round an edge behind which nothing was touched
 _LEAST_TURN = 0.3  # rad, to the surface behind the edge: below it the probe is there already
 
@@ -90,7 +93,11 @@ class LineScanner:
             line.add(first)
             self._second(line, heading)
             most = _MOST_POINTS * self.settings.amplitude / self.settings.line_pitch + 10.0
-            while not line.complete(self.settings.amplitude, self.settings.half_line):
+            # As printed a line is too long by half a pitch on the average.
+            short = 0.5 * self.settings.line_pitch if self.settings.safeguards.even_ends else 0.0
+            while not line.complete(
+                self.settings.amplitude - short, self.settings.half_line - short
+            ):
                 if len(line) > most:
                     return ScannedLine(np.array(line.contacts), Stop.NO_EDGE)
                 self._next(line)
@@ -143,7 +150,9 @@ class LineScanner:
             if contact is None:
                 raise _Halted(Stop.REPEATED_POINT)
         gap = hypot(*line.step_to(contact))
-        if gap > safeguards.largest_gap * pitch * _SLACK:
+        if safeguards.even_ends and line.passes_the_edge(contact, _BESIDE * pitch):
+            self._refill(line, contact, ceil((gap / pitch - _GOOD_GAP) / _EDGE_GAP) - 1)
+        elif gap > safeguards.largest_gap * pitch * _SLACK:
             self._refill(line, contact, ceil(gap / (pitch * _SLACK)) - 1)
         line.add(contact)
 
@@ -291,6 +300,14 @@ class _Line:
                 self.heading = ((here[0] - x) / step, (here[1] - y) / step)
         self.contacts.append(contact)
         self.xy.append(here)
+
+    def passes_the_edge(self, contact: np.ndarray, beside: float) -> bool:
+        """Whether the gap before a contact holds, or lies beside, the edge as it was predicted.
+
+        That is where the plane has its origin, once there are lines to predict it from.
+        """
+        there = self.plane.coordinates(contact)[0]
+        return self.onward is not None and self.end[0] < beside and there > -beside
 
     def step_to(self, contact: np.ndarray) -> tuple[float, float]:
         """From the last contact to another one, in the plane."""

@@ -158,7 +158,7 @@ class ProbeSection:
         reach = reach - along * tangent
         zigzag = settings.pattern is Pattern.ZIGZAG
         if settings.safeguards.restore:
-            size = float(np.linalg.norm(reach))
+            size = before.length(starts_on)
             reach = reach * min(max(0.5 * settings.amplitude / max(size, 1e-9), 0.7), 1.4)
             if zigzag:
                 target = here + 0.5 * ahead + reach

@@ -12,13 +12,14 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..geometry.polynomial_curve import meeting_parameters
+from ..geometry.polynomial_curve import fit_polynomial, meeting_parameters
 from .line_section import LineSection, line_section
 from .probe_settings import ProbeSettings
 from .stop import Stop
 
 __all__ = ["ProbedLine", "farthest_from_chord", "measure_line", "without_rounding"]
 
+_LEADING = 3  # degree of the curve that tells which section a point beyond both goes on with
 _DRAWN_OUT = 1.5  # of a section's length: how far its curve stands for the surface
 
 
@@ -69,6 +70,12 @@ class ProbedLine:
         way = self.sections[k].curve.derivative(1.0)
         left = np.array([-way[1], way[0]]) @ self.axes
         return 1.0 if left @ self.rough_sides[1 - k] > 0.0 else -1.0
+
+    def length(self, k: int) -> float:
+        """Of section k over its contacts, to the middle of the gap in which the edge lies, mm."""
+        own, other = self.sections[k].points, self.sections[1 - k].points
+        steps = np.linalg.norm(np.diff(own, axis=0), axis=1)
+        return float(steps.sum() + 0.5 * np.linalg.norm(own[-1] - other[-1]))
 
     def end(self, k: int) -> np.ndarray:
         """The end of section k nearest the edge, (3,) mm, on its curve."""
@@ -167,12 +174,32 @@ def _halves(points: np.ndarray, split: int, settings: ProbeSettings) -> _Halves 
         if section is None:
             return None
         sections.append(section)
+    if settings.safeguards.whole_line:
+        sections = _with_split(sections, split, points[split], settings)
     first, second = sections
     met = meeting_parameters(first.curve, second.curve)
     if met is None:
         return _Halves((first, second), None, np.inf)
     miss = np.linalg.norm(first.curve.at(met[0]) - points[split])
     return _Halves((first, second), met, float(miss))
+
+
+def _with_split(
+    sections: Sequence[LineSection], split: int, point: np.ndarray, settings: ProbeSettings
+) -> list[LineSection]:
+    """The point between the sections belongs to the one whose points lead to it, if it fits."""
+    off = []
+    for section in sections:
+        points = section.points[section.kept]
+        curve = fit_polynomial(points, min(_LEADING, len(points) - 1))[0]
+        u = curve.closest(point[None], np.ones(1))
+        off.append(float(np.linalg.norm(curve.at(u)[0] - point)))
+    k = int(np.argmin(off))
+    order = np.append(sections[k].contacts, split)
+    longer = line_section(order, np.vstack([sections[k].points, point]), settings)
+    if longer is None or not longer.kept[-1]:
+        return list(sections)
+    return [longer, sections[1]] if k == 0 else [sections[0], longer]
 
 
 def without_rounding(

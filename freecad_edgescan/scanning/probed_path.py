@@ -23,7 +23,8 @@ def smooth_frames(
     A parabola over so many points that the edge turns little among them knows tangent and bend
     far better than two following scan lines do, and its own middle is a smoothed edge point. The
     walk's own tangents count for little where the edge points reach far, and hold the direction
-    where they lie closer together than they scatter.
+    where they lie closer together than they scatter. Over less than the length, what looks like a
+    bend may be scatter, and the shorter it is the more the edge is taken to be straight.
 
     Parameters
     ----------
@@ -38,11 +39,10 @@ def smooth_frames(
     at = np.append(0.0, np.cumsum(steps * _along(points, tangents)))
     step = abs(float(at[-1])) / (len(points) - 1)
     most = max(_MOST_POINTS, round(length / max(step, 1e-12)))
-    weight = _TANGENTS * length
-    _, _, bend = _parabolas(points, tangents, at, most, weight)
+    _, _, bend = _parabolas(points, tangents, at, most, length)
     turn = float(np.median(np.linalg.norm(bend, axis=1))) * step
     reach = int(np.clip(_MOST_TURN / max(turn, 1e-12), _FEWEST_POINTS, most))
-    origin, tangent, bend = _parabolas(points, tangents, at, reach, weight)
+    origin, tangent, bend = _parabolas(points, tangents, at, reach, length)
     return frames_from_sides(origin, tangent, sides, bend)
 
 
@@ -56,10 +56,11 @@ def _along(points: np.ndarray, tangents: np.ndarray) -> np.ndarray:
 
 
 def _parabolas(
-    points: np.ndarray, tangents: np.ndarray, at: np.ndarray, reach: int, weight: float
+    points: np.ndarray, tangents: np.ndarray, at: np.ndarray, reach: int, length: float
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Point, unit tangent and bend at each edge point, (m, 3) each."""
     origin, tangent, bend = (np.zeros_like(points) for _ in range(3))
+    weight = _TANGENTS * length
     for j in range(len(points)):
         low, high = max(0, j - reach), min(len(points), j + reach + 1)
         u = at[low:high] - at[j]
@@ -68,8 +69,10 @@ def _parabolas(
         powers = (u / scale)[:, None] ** np.arange(degree + 1)
         slopes = np.zeros_like(powers)
         slopes[:, 1:] = np.arange(1, degree + 1) * powers[:, :-1] / scale
-        rows = np.vstack([powers, weight * slopes])
-        values = np.vstack([points[low:high], weight * tangents[low:high]])
+        bends = np.zeros((1, degree + 1))
+        bends[:, 2:] = max(0.0, length - float(np.ptp(u))) * 2.0 / scale**2
+        rows = np.vstack([powers, weight * slopes, weight * bends])
+        values = np.vstack([points[low:high], weight * tangents[low:high], np.zeros((1, 3))])
         c = np.linalg.lstsq(rows, values, rcond=None)[0]
         speed = float(np.linalg.norm(c[1]))
         origin[j], tangent[j] = c[0], c[1] / speed

@@ -135,6 +135,25 @@ def test_a_gap_behind_the_edge_is_refilled(extruded, degrees, begin, literal):
     assert (np.diff(line.contacts[:, 0]) > -1e-9).all()  # in the order of travel
 
 
+@pytest.mark.parametrize("degrees", [95.0, 130.0, 160.0])
+def test_the_gap_in_which_the_edge_is_expected_is_narrow(extruded, degrees):
+    """Wherever the line starts, the sides' last contacts lie nearer to each other."""
+    onward = -np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    gaps = {True: [], False: []}
+    for even_ends, found in gaps.items():
+        for begin in np.arange(-4.7, -4.0, 0.1):
+            part = extruded(extruded.wedge(degrees))
+            line = scanned(part, begin, onward=onward, even_ends=even_ends)
+            assert line.stop is None
+            assert part.off(line.contacts) == pytest.approx(0.0, abs=1e-9)
+            level = np.abs(line.contacts[:, 2]) < 1e-9
+            along = np.where(level, line.contacts[:, 0], np.hypot(*line.contacts[:, ::2].T))
+            assert (np.diff(along) > 0.0).all()  # in the order of travel
+            found.append(np.diff(along)[np.flatnonzero(along <= 1e-9)[-1]])
+    assert np.less_equal(gaps[True], np.array(gaps[False]) + 1e-9).all()
+    assert np.mean(gaps[True]) < 0.8 * PITCH < np.mean(gaps[False])
+
+
 def test_without_refilling_there_is_such_a_gap(extruded):
     line = scanned(extruded(extruded.wedge(95.0)), largest_gap=10.0)
     assert steps(line.contacts).max() > 3.0 * PITCH
@@ -155,6 +174,9 @@ def test_the_part_behind_the_edge_is_half_a_line_long_wherever_the_line_starts(
     part = extruded(extruded.wedge(degrees))
     line = scanned(part, begin, literal, pattern=pattern, edge_pitch=edge_pitch)
     half = 0.5 * (AMPLITUDE if pattern == "square" else np.hypot(AMPLITUDE, edge_pitch))
+    whole_line = AMPLITUDE
+    if not literal:  # to half a line pitch, not beyond it
+        half, whole_line = half - 0.5 * PITCH, whole_line - 0.5 * PITCH
     assert line.stop is None
 
     chord = line.contacts[-1] - line.contacts[0]
@@ -162,10 +184,10 @@ def test_the_part_behind_the_edge_is_half_a_line_long_wherever_the_line_starts(
     assert steps(line.contacts[away.argmax() :]).sum() >= half
 
     whole, behind = steps(line.contacts).sum(), beyond(line.contacts).max()
-    assert whole >= AMPLITUDE
+    assert whole >= whole_line
     assert behind > half - PITCH  # the edge itself need not be touched
     # and no longer than it must be
-    assert min(whole - AMPLITUDE, behind - half) < PITCH
+    assert min(whole - whole_line, behind - half) < PITCH
 
 
 # ---------------------------------------------------------------- collisions
