@@ -33,8 +33,8 @@ _LONGER_STEPS = (2.0, 3.0)  # line pitches, tried after a point that was touched
 _NEAR = 0.25  # amplitudes from its target, where a collision is as good as a touch
 _FAR = 2.0  # amplitudes between two lines that do not follow each other
 _EDGE_GAP = 0.5  # line pitches between the contacts beside the edge
-_GOOD_GAP = 0.2  # line pitches that such a gap may be longer
-_BESIDE = 0.15  # line pitches that the edge may lie beside where it was predicted
+_GOOD_GAP = 0.25  # line pitches that such a gap may be longer
+_BESIDE = 0.1  # line pitches that the edge may lie beside where it was predicted
 _ROUND_TURNS = (0.6, 1.2, 1.8)  # rad, tried round an edge behind which nothing was touched
 _LEAST_TURN = 0.3  # rad, to the surface behind the edge: below it the probe is there already
 
@@ -150,10 +150,18 @@ class LineScanner:
             if contact is None:
                 raise _Halted(Stop.REPEATED_POINT)
         gap = hypot(*line.step_to(contact))
-        if safeguards.even_ends and line.passes_the_edge(contact, _BESIDE * pitch):
-            self._refill(line, contact, ceil((gap / pitch - _GOOD_GAP) / _EDGE_GAP) - 1)
-        elif gap > safeguards.largest_gap * pitch * _SLACK:
-            self._refill(line, contact, ceil(gap / (pitch * _SLACK)) - 1)
+        if gap > safeguards.largest_gap * pitch * _SLACK:
+            for between in self._between(line, contact, ceil(gap / (pitch * _SLACK)) - 1):
+                self._add(line, between)
+        self._add(line, contact)
+
+    def _add(self, line: _Line, contact: np.ndarray) -> None:
+        """Add a contact, after some more of them when the edge may lie before it."""
+        pitch = self.settings.line_pitch
+        if self.settings.safeguards.even_ends and line.passes_the_edge(contact, _BESIDE * pitch):
+            gap = hypot(*line.step_to(contact)) / pitch
+            for between in self._between(line, contact, ceil((gap - _GOOD_GAP) / _EDGE_GAP) - 1):
+                line.add(between)
         line.add(contact)
 
     def _step_on(self, line: _Line) -> np.ndarray | None:
@@ -190,13 +198,14 @@ class LineScanner:
                 return contact
         return None
 
-    def _refill(self, line: _Line, contact: np.ndarray, count: int) -> None:
+    def _between(self, line: _Line, contact: np.ndarray, count: int) -> list[np.ndarray]:
         """Touch points between the last contact and one too far from it (Schreve 4.2.2)."""
         (x, y), (ex, ey) = line.end, line.plane.coordinates(contact)
         gx, gy = ex - x, ey - y
         size = hypot(gx, gy)
         ux, uy = gx / size, gy / size
-        pitch = self.settings.line_pitch
+        least, done = _LEAST_PROGRESS * self.settings.line_pitch, 0.0
+        found = []
         for k in range(1, count + 1):
             share = k / (count + 1)
             # An edge in the gap may stand half the gap above its chord.
@@ -205,11 +214,12 @@ class LineScanner:
             )
             if between is None:
                 continue
-            dx, dy = line.step_to(between)
             bx, by = line.plane.coordinates(between)
-            left = (ex - bx) * ux + (ey - by) * uy
-            if min(dx * ux + dy * uy, left) > _LEAST_PROGRESS * pitch:
-                line.add(between)
+            along = (bx - x) * ux + (by - y) * uy
+            if min(along - done, size - along) > least:
+                found.append(between)
+                done = along
+        return found
 
     def _touch(
         self, plane: ScanPlane, x: float, y: float, dx: float, dy: float, lift: float = 0.0

@@ -20,6 +20,8 @@ from .stop import Stop
 __all__ = ["ProbedLine", "farthest_from_chord", "measure_line", "without_rounding"]
 
 _LEADING = 3  # degree of the curve that tells which section a point beyond both goes on with
+_AS_WELL = 1.5  # times what a section's own points lie off its curve, at most
+_EXACT = 1e-6  # line pitches
 _DRAWN_OUT = 1.5  # of a section's length: how far its curve stands for the surface
 
 
@@ -195,6 +197,8 @@ def _with_split(
         u = curve.closest(point[None], np.ones(1))
         off.append(float(np.linalg.norm(curve.at(u)[0] - point)))
     k = int(np.argmin(off))
+    if off[k] > _AS_WELL * np.abs(sections[k].residuals()).max() + _EXACT * settings.line_pitch:
+        return list(sections)  # it lies on a rounding, even if the tolerance would let it pass
     order = np.append(sections[k].contacts, split)
     longer = line_section(order, np.vstack([sections[k].points, point]), settings)
     if longer is None or not longer.kept[-1]:
