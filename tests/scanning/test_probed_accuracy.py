@@ -342,10 +342,11 @@ def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
     expected = (each[:-2] + each[1:-1] + each[2:]) / 3.0  # the default takes three lines
     found = off_the_circle(torus, edge.points[1:-1])
     size = np.hypot(*expected.T)
-    # In steps of 0.1 mm the bend is known to within some 20 nm at the edge.
-    assert np.hypot(*found.T) == pytest.approx(size, rel=0.1, abs=2.5e-5)
+    # In steps of 0.1 mm a bend is not known, and the edge taken to be straighter than it is.
+    unknown = 5e-5  # mm
+    assert np.hypot(*found.T) == pytest.approx(size, rel=0.1, abs=0.5 * unknown)
     # The default's mean is weighted, the expected one is not.
-    assert np.hypot(*(found - expected).T).max() < 0.15 * size.max()
+    assert np.hypot(*(found - expected).T).max() < max(0.15 * size.max(), unknown)
 
 
 @pytest.mark.parametrize("points", [10, 14, 24])
