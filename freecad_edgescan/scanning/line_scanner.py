@@ -159,10 +159,16 @@ class LineScanner:
         """Add a contact, after some more of them when the edge may lie before it."""
         pitch = self.settings.line_pitch
         if self.settings.safeguards.even_ends and line.passes_the_edge(contact, _BESIDE * pitch):
-            gap = hypot(*line.step_to(contact)) / pitch
-            for between in self._between(line, contact, ceil((gap - _GOOD_GAP) / _EDGE_GAP) - 1):
+            dx, dy = line.step_to(contact)
+            gap = hypot(dx, dy)
+            count = ceil((gap / pitch - _GOOD_GAP) / _EDGE_GAP) - 1
+            for between in self._between(line, contact, count):
                 line.add(between)
-        line.add(contact)
+            line.add(contact)
+            # The last of these steps is too short to tell the way on.
+            line.heading = (dx / gap, dy / gap)
+        else:
+            line.add(contact)
 
     def _step_on(self, line: _Line) -> np.ndarray | None:
         """Look for a new point in longer steps."""
