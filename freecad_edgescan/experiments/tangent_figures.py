@@ -67,9 +67,7 @@ def compare_tangents(
 def tangents_along(number: str, row: Trial, seed: int) -> Curves:
     """Errors of the three ways at every line of one scan."""
     walk = _Recorder()
-    # The lines of a good scan, but not with ends that are evened out for the sake of the curves.
-    ends = {"safeguards": replace(Safeguards(), whole_line=False, even_ends=False)}
-    edge = scan_trial(row, trial_cloud(row, seed), _GROUP, overrides=ends, progress=walk)
+    edge = scan_trial(row, trial_cloud(row, seed), _GROUP, progress=walk)
     lines = [station.line for station in walk.stations if station.line is not None]
     points = np.array([line.edge_point for line in lines])
     printed = replace(edge.parameters, safeguards=Safeguards.none())

@@ -75,6 +75,7 @@ class LineScanner:
         heading: tuple[float, float],
         first: np.ndarray | None = None,
         onward: tuple[float, float] | None = None,
+        sharp: bool = False,
     ) -> ScannedLine:
         """Scan a line until it is one amplitude long, with half of it behind the edge.
 
@@ -85,8 +86,9 @@ class LineScanner:
         heading : unit direction in the plane from the first contact to the second
         first : (3,) mm, a contact that is already there and begins the line
         onward : unit direction in the plane of the surface behind the edge, where it is known
+        sharp : whether the edge is expected in the plane's origin, without a rounding
         """
-        line = _Line(plane, onward)
+        line = _Line(plane, onward, sharp)
         try:
             if first is None:
                 first = self._first(plane, start)
@@ -94,7 +96,7 @@ class LineScanner:
             self._second(line, heading)
             most = _MOST_POINTS * self.settings.amplitude / self.settings.line_pitch + 10.0
             # As printed a line is too long by half a pitch on the average.
-            short = 0.5 * self.settings.line_pitch if self.settings.safeguards.even_ends else 0.0
+            short = 0.5 * self.settings.line_pitch if self.settings.safeguards.sharp_edge else 0.0
             while not line.complete(
                 self.settings.amplitude - short, self.settings.half_line - short
             ):
@@ -158,7 +160,7 @@ class LineScanner:
     def _add(self, line: _Line, contact: np.ndarray) -> None:
         """Add a contact, after some more of them when the edge may lie before it."""
         pitch = self.settings.line_pitch
-        if self.settings.safeguards.even_ends and line.passes_the_edge(contact, _BESIDE * pitch):
+        if self.settings.safeguards.sharp_edge and line.passes_the_edge(contact, _BESIDE * pitch):
             dx, dy = line.step_to(contact)
             gap = hypot(dx, dy)
             count = ceil((gap / pitch - _GOOD_GAP) / _EDGE_GAP) - 1
@@ -292,8 +294,8 @@ def _point(answer: np.ndarray) -> np.ndarray:
 class _Line:
     """A line being scanned: its contacts, in space and in its plane."""
 
-    def __init__(self, plane: ScanPlane, onward: tuple[float, float] | None) -> None:
-        self.plane, self.onward = plane, onward
+    def __init__(self, plane: ScanPlane, onward: tuple[float, float] | None, sharp: bool) -> None:
+        self.plane, self.onward, self.sharp = plane, onward, sharp
         self.contacts: list[np.ndarray] = []
         self.xy: list[tuple[float, float]] = []
         self.length = 0.0
@@ -318,12 +320,13 @@ class _Line:
         self.xy.append(here)
 
     def passes_the_edge(self, contact: np.ndarray, beside: float) -> bool:
-        """Whether the gap before a contact holds, or lies beside, the edge as it was predicted.
+        """Whether the gap before a contact holds, or lies beside, a sharp edge.
 
-        That is where the plane has its origin, once there are lines to predict it from.
+        On a rounding more contacts would be of no use: they are cleaned away, and those that are
+        not pull the curve.
         """
         there = self.plane.coordinates(contact)[0]
-        return self.onward is not None and self.end[0] < beside and there > -beside
+        return self.sharp and self.end[0] < beside and there > -beside
 
     def step_to(self, contact: np.ndarray) -> tuple[float, float]:
         """From the last contact to another one, in the plane."""

@@ -88,6 +88,7 @@ class ProbeSection:
             plane.direction(-sides[starts_on]),
             contact,
             plane.direction(sides[1 - starts_on]),
+            before.sharp,
         )
         line = self._measured(scanned, plane, tangent, starts_on)
         if isinstance(line, Stop):
@@ -158,7 +159,9 @@ class ProbeSection:
         reach = reach - along * tangent
         zigzag = settings.pattern is Pattern.ZIGZAG
         if settings.safeguards.restore:
-            size = before.length(starts_on)
+            size = float(np.linalg.norm(reach))
+            if settings.safeguards.sharp_edge:
+                size = before.length(starts_on)
             reach = reach * min(max(0.5 * settings.amplitude / max(size, 1e-9), 0.7), 1.4)
             if zigzag:
                 target = here + 0.5 * ahead + reach
@@ -204,9 +207,10 @@ class ProbeSection:
         heading: tuple[float, float],
         first: np.ndarray | None = None,
         onward: tuple[float, float] | None = None,
+        sharp: bool = False,
     ) -> ScannedLine:
         try:
-            return self.scanner.scan(plane, start, heading, first, onward)
+            return self.scanner.scan(plane, start, heading, first, onward, sharp)
         except Exception as failure:
             self.failure = failure
             return ScannedLine(np.zeros((0, 3)), Stop.CMM_FAILED)

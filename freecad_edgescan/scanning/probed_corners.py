@@ -25,13 +25,7 @@ from .probed_rounding import rounding_begins
 from .section import Frames, frames_from_sides, unrolled
 from .stop import Stop
 
-__all__ = [
-    "ProbedCorners",
-    "agreed_begins",
-    "carried_lines",
-    "cleaned_lines",
-    "corners_of_lines",
-]
+__all__ = ["ProbedCorners", "carried_lines", "corners_of_lines"]
 
 _FEWEST_LINES = 8  # that can agree where a rounding begins
 
@@ -124,40 +118,12 @@ def carried_lines(
         if isinstance(again, Stop) or np.linalg.norm(again.edge_point - line.edge_point) > apart:
             again = line
         carried.append(again)
-    return carried
-
-
-def agreed_begins(
-    lines: Sequence[ProbedLine], frames: Frames, settings: ProbeSettings
-) -> tuple[float, float] | None:
-    """Where the rounding of both surfaces begins, mm from the edge, by all lines together.
-
-    Parameters
-    ----------
-    lines : carried into the planes of their frames
-
-    Returns
-    -------
-    None where there are too few lines, or straight ones, or every line decides by itself
-    """
     agreed = settings.safeguards.agreed_cleaning and settings.degree > 1
     if not agreed or len(lines) < _FEWEST_LINES:
-        return None
-    first, second = (_begin(lines, frames, k, settings.tolerance) for k in range(2))
-    return first, second
-
-
-def cleaned_lines(
-    lines: Sequence[ProbedLine],
-    frames: Frames,
-    begins: tuple[float, float] | None,
-    settings: ProbeSettings,
-) -> list[ProbedLine]:
-    """Lines without what lies nearer to the edge than their roundings begin."""
-    if begins is None:
-        return list(lines)
+        return carried
+    begins = [_begin(carried, frames, k, settings.tolerance) for k in range(2)]
     return [
-        without_rounding(line, frames.origin[j], begins, settings) for j, line in enumerate(lines)
+        without_rounding(line, frames.origin[j], begins, settings) for j, line in enumerate(carried)
     ]
 
 

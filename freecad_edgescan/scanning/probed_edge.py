@@ -18,7 +18,7 @@ from .probe_compensation import (
     from_compensated_points,
 )
 from .probe_settings import ProbeSettings
-from .probed_corners import agreed_begins, carried_lines, cleaned_lines, corners_of_lines
+from .probed_corners import carried_lines, corners_of_lines
 from .probed_line import ProbedLine
 from .probed_lines import ProbedLines
 from .probed_path import smooth_frames
@@ -56,11 +56,7 @@ def finish_probed_edge(
     frames = smooth_frames(edge_points, tangents, sides, 0.25 * settings.amplitude)
     convex = convex_by_approach(frames.normals, settings.approach)
     distance = settings.probe_radius if convex else -settings.probe_radius
-    lines = walked
-    if settings.safeguards.slide:
-        lines = carried_lines(walked, frames, settings)
-        begins = agreed_begins(lines, frames, settings)
-        lines, walked = (cleaned_lines(each, frames, begins, settings) for each in (lines, walked))
+    lines = carried_lines(walked, frames, settings) if settings.safeguards.slide else walked
     corners = corners_of_lines(lines, frames, distance, selection)
     if settings.compensation is Compensation.INTERSECTION:
         corners = corners.with_neighbours(frames)

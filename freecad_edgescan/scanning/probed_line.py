@@ -79,6 +79,11 @@ class ProbedLine:
         steps = np.linalg.norm(np.diff(own, axis=0), axis=1)
         return float(steps.sum() + 0.5 * np.linalg.norm(own[-1] - other[-1]))
 
+    @property
+    def sharp(self) -> bool:
+        """Whether nothing beside the edge was cleaned away."""
+        return all(bool(section.kept[-1]) for section in self.sections)
+
     def end(self, k: int) -> np.ndarray:
         """The end of section k nearest the edge, (3,) mm, on its curve."""
         return self.place(self.sections[k].curve.at(1.0))
@@ -176,7 +181,7 @@ def _halves(points: np.ndarray, split: int, settings: ProbeSettings) -> _Halves 
         if section is None:
             return None
         sections.append(section)
-    if settings.safeguards.whole_line:
+    if settings.safeguards.sharp_edge:
         sections = _with_split(sections, split, points[split], settings)
     first, second = sections
     met = meeting_parameters(first.curve, second.curve)

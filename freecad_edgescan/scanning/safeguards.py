@@ -30,12 +30,6 @@ class Safeguards:
         square to the plane that fits them best; along the tangent a surface does not change
     signed_split : a line is split at the point that stands out farthest from the smaller wedge,
         not at the one farthest from the chord on either side
-    whole_line : the point a line is split at belongs to the side whose curve leads to it, unless it
-        is cleaned away there; as printed it belongs to neither
-    even_ends : the gap in which the edge lies, as it is predicted, is filled in to half a line
-        pitch, so that the curves are drawn out over less; and a line ends where it has its length
-        to half a line pitch, not beyond it. So its sections have the length the model of the error
-        counts with
     quadratic_cleaning : the points on a rounding are found with a quadratic, also where a line is
         fitted afterwards; on a curved side a line would give up good points
     agreed_cleaning : where the rounding begins is decided by all lines of the edge together,
@@ -66,16 +60,19 @@ class Safeguards:
         of once across half the search distance
     near_collisions : a collision on the way to a line's first point is measured there when it lies
         near the target; only one far from it means that the scan has lost its way
-    restore : each line begins half an amplitude from the edge, as measured along the contacts of
-        the line before, and a zigzag half an edge pitch ahead, instead of wherever the line before
-        has ended (Schreve figures 4.5 and 4.14); the plane of a zigzag line holds the bisector of
-        the two surfaces, so that the line gets on as far behind the edge as before it
+    restore : each line begins half an amplitude from the edge, and a zigzag half an edge pitch
+        ahead, instead of wherever the line before has ended (Schreve figures 4.5 and 4.14); the
+        plane of a zigzag line holds the bisector of the two surfaces, so that the line gets on
+        as far behind the edge as before it
+    sharp_edge : for an edge that is known to have no rounding, so that contacts close to it are of
+        use: the gap in which it is expected is filled in to half a line pitch, the point a line is
+        split at is kept, and a line has its length along the surface, to half a line pitch. Then
+        the error without noise is that of the model. Beside a rounding it lets in more of what
+        lies on it, and is off
     """
 
     slide: bool = True
     signed_split: bool = True
-    whole_line: bool = True
-    even_ends: bool = True
     quadratic_cleaning: bool = True
     agreed_cleaning: bool = True
     near_points: bool = True
@@ -93,6 +90,7 @@ class Safeguards:
     feel_round: bool = True
     near_collisions: bool = True
     restore: bool = True
+    sharp_edge: bool = False
 
     @classmethod
     def none(cls) -> Safeguards:

@@ -34,11 +34,8 @@ def test_errors_are_those_of_the_published_scans(result) -> None:
     for group in GROUPS:
         row = compare_group(result, group)
         assert row.tests == 2
-        assert 0.3 < row.avg_ratio < 1.5
+        assert 0.3 < row.avg_ratio < 1.3
         assert 0.2 < row.max_ratio < 1.5
-    total = compare_all(result)
-    assert total.avg_ratio < 1.0
-    assert total.max_ratio < 1.0
 
 
 def test_one_process_gives_what_two_give(result) -> None:

@@ -48,7 +48,7 @@ def plane(y=0.0, wedge=0.0):
 
 def scanned(machine, begin=-4.3, literal=False, onward=None, first=None, **values):
     scanner = LineScanner(machine, settings(literal, **values))
-    return scanner.scan(plane(), (begin, 0.0), LEVEL, first, onward)
+    return scanner.scan(plane(), (begin, 0.0), LEVEL, first, onward, onward is not None)
 
 
 def steps(contacts):
@@ -140,10 +140,10 @@ def test_the_gap_in_which_the_edge_is_expected_is_narrow(extruded, degrees):
     """Wherever the line starts, the sides' last contacts lie nearer to each other."""
     onward = -np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     gaps = {True: [], False: []}
-    for even_ends, found in gaps.items():
+    for sharp_edge, found in gaps.items():
         for begin in np.arange(-4.7, -4.0, 0.1):
             part = extruded(extruded.wedge(degrees))
-            line = scanned(part, begin, onward=onward, even_ends=even_ends)
+            line = scanned(part, begin, onward=onward, sharp_edge=sharp_edge)
             assert line.stop is None
             assert part.off(line.contacts) == pytest.approx(0.0, abs=1e-9)
             level = np.abs(line.contacts[:, 2]) < 1e-9
@@ -174,9 +174,6 @@ def test_the_part_behind_the_edge_is_half_a_line_long_wherever_the_line_starts(
     part = extruded(extruded.wedge(degrees))
     line = scanned(part, begin, literal, pattern=pattern, edge_pitch=edge_pitch)
     half = 0.5 * (AMPLITUDE if pattern == "square" else np.hypot(AMPLITUDE, edge_pitch))
-    whole_line = AMPLITUDE
-    if not literal:  # to half a line pitch, not beyond it
-        half, whole_line = half - 0.5 * PITCH, whole_line - 0.5 * PITCH
     assert line.stop is None
 
     chord = line.contacts[-1] - line.contacts[0]
@@ -184,10 +181,10 @@ def test_the_part_behind_the_edge_is_half_a_line_long_wherever_the_line_starts(
     assert steps(line.contacts[away.argmax() :]).sum() >= half
 
     whole, behind = steps(line.contacts).sum(), beyond(line.contacts).max()
-    assert whole >= whole_line
+    assert whole >= AMPLITUDE
     assert behind > half - PITCH  # the edge itself need not be touched
     # and no longer than it must be
-    assert min(whole - whole_line, behind - half) < PITCH
+    assert min(whole - AMPLITUDE, behind - half) < PITCH
 
 
 # ---------------------------------------------------------------- collisions

@@ -24,6 +24,7 @@ from freecad_edgescan.scanning import (
     scan_edge,
 )
 from freecad_edgescan.scanning.error_model import largest_deviation, model_error
+from freecad_edgescan.scanning.safeguards import Safeguards
 
 ANGLE = np.radians(110.0)
 BEGIN = 0.1  # rad, where a scan starts
@@ -146,8 +147,7 @@ def test_the_printed_compensation_lies_a_sagitta_inside_of_a_bend(torus, edge_pi
         assert sagitta == pytest.approx({1.0: 0.0125, 2.0: 0.05}[edge_pitch], rel=1e-3)
     assert -outside == pytest.approx(sagitta, rel=0.1)
     assert -outside.mean() == pytest.approx(sagitta, rel=0.03)
-    assert np.abs(up).mean() < 0.02 * sagitta
-    assert np.abs(up).max() < 0.1 * sagitta
+    assert np.abs(up).max() < 0.05 * sagitta
 
 
 @pytest.mark.parametrize(
@@ -158,7 +158,7 @@ def test_the_default_loses_less_than_a_hundredth_of_it(torus, edge_pitch):
     sagitta = sagitta_of(torus, edge_pitch)
     error = errors(torus, edge_pitch=edge_pitch, lines=14.0, compensation="intersection")
     assert error.mean() < 0.01 * sagitta + bias(torus)
-    assert error.max() < 0.05 * sagitta + bias(torus)
+    assert error.max() < 0.04 * sagitta + bias(torus)
 
 
 @pytest.mark.parametrize("torus", [PROBED, ROUNDED, BLUNT], ids=named)
@@ -168,13 +168,7 @@ def test_a_printed_edge_point_lies_on_the_chord_between_its_neighbours(torus):
     half = 0.5 * (azimuths(edge.points)[2:] - azimuths(edge.points)[:-2])
     chord = torus.edge_radius * (1.0 - np.cos(half))
     outside = off_the_circle(torus, edge.points[1:-1])[:, 0]
-    # Where the points fall beside the edge differs from line to line, and a line alone may take
-    # what lies on a rounding within the tolerance; their mean is closer.
-    let_in = tolerance_for(torus) if torus.fillet_radius else 0.0
-    assert -outside == pytest.approx(chord, abs=0.05 * chord.mean() + bias(torus) + let_in)
-    assert -outside.mean() == pytest.approx(
-        chord.mean(), rel=0.015, abs=bias(torus) + 0.25 * let_in
-    )
+    assert -outside == pytest.approx(chord, abs=0.03 * chord.mean() + bias(torus))
 
 
 # ---------------------------------------------------------------- one compensation beside another
@@ -311,9 +305,7 @@ def edge_of_arcs(torus: TorusObject, angles: list[np.ndarray], degree: int) -> n
     return moved(0, met[0]) - [torus.edge_radius, -torus.section_radius]
 
 
-# In steps of 0.1 mm a bend is known less well than quadratics are off the shortest of these arcs,
-# by 0.14 µm; so the edge is nearly straight.
-MODELLED = TorusObject(20.0, 1000.0, ANGLE)
+MODELLED = TorusObject(20.0, 100.0, ANGLE)
 
 
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
@@ -324,7 +316,7 @@ def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
     degree, fillet, probe, share
 ):
     """A dozen points cover not quite s of the arc; how much, the points themselves tell."""
-    torus = TorusObject(20.0, MODELLED.edge_radius, ANGLE, fillet, probe)
+    torus = TorusObject(20.0, 100.0, ANGLE, fillet, probe)
     side = share * (20.0 - probe)
     # Straight lines through few points of such long arcs jump too far to be followed.
     points = 40 if (degree, share) == (1, 0.8) else 12
@@ -342,11 +334,10 @@ def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
     expected = (each[:-2] + each[1:-1] + each[2:]) / 3.0  # the default takes three lines
     found = off_the_circle(torus, edge.points[1:-1])
     size = np.hypot(*expected.T)
-    # In steps of 0.1 mm a bend is not known, and the edge taken to be straighter than it is.
-    unknown = 5e-5  # mm
-    assert np.hypot(*found.T) == pytest.approx(size, rel=0.1, abs=0.5 * unknown)
-    # The default's mean is weighted, the expected one is not.
-    assert np.hypot(*(found - expected).T).max() < max(0.15 * size.max(), unknown)
+    # Over a millimetre a bend is hardly told from scatter, and taken to be smaller than it is; that
+    # moves the edge by 25 nm at most.
+    assert np.hypot(*found.T) == pytest.approx(size, rel=0.1, abs=2.5e-5)
+    assert np.hypot(*(found - expected).T).max() < 0.1 * size.max()
 
 
 @pytest.mark.parametrize("points", [10, 14, 24])
@@ -359,23 +350,25 @@ def test_a_square_scan_has_the_error_of_the_model(degree, share, points):
     left out. So are straight lines through few points of arcs of 46°, a millimetre off the edge,
     from which the next line's edge is not predicted well enough: they have 1.1 to 1.2 of it.
     """
+    straighter = TorusObject(20.0, 1000.0, ANGLE)  # in steps of 0.1 mm a bend is hard to tell
     if (degree, share) == (1, 0.8) and points < 24:
         points = 40
-    side = share * MODELLED.section_radius
+    side = share * straighter.section_radius
     found = []
     for place in (0.0, 0.25, 0.5, 0.75):
         edge = scanned(
-            MODELLED,
+            straighter,
             lines=8.0,
             side=side,
             points=points + place,
             edge_pitch=0.1,
             degree=degree,
             tolerance=20.0,
+            safeguards=Safeguards(sharp_edge=True),
         )
         assert edge.stops[1] is Stop.GATE
-        found.append(np.hypot(*off_the_circle(MODELLED, edge.points[2:-1]).T).mean())
-    expected = float(model_error(degree, side, MODELLED.section_radius, ANGLE))
+        found.append(np.hypot(*off_the_circle(straighter, edge.points[2:-1]).T).mean())
+    expected = float(model_error(degree, side, straighter.section_radius, ANGLE))
     assert np.mean(found) == pytest.approx(expected, rel=0.1)
     assert np.array(found) == pytest.approx(expected, rel=0.25)
 
