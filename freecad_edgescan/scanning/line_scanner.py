@@ -86,7 +86,7 @@ class LineScanner:
         heading : unit direction in the plane from the first contact to the second
         first : (3,) mm, a contact that is already there and begins the line
         onward : unit direction in the plane of the surface behind the edge, where it is known
-        sharp : whether the edge is expected in the plane's origin, without a rounding
+        sharp : whether the gap in which the edge lies, expected in the plane's origin, is narrowed
         """
         line = _Line(plane, onward, sharp)
         try:
@@ -160,7 +160,7 @@ class LineScanner:
     def _add(self, line: _Line, contact: np.ndarray) -> None:
         """Add a contact, after some more of them when the edge may lie before it."""
         pitch = self.settings.line_pitch
-        if self.settings.safeguards.sharp_edge and line.passes_the_edge(contact, _BESIDE * pitch):
+        if line.passes_the_edge(contact, _BESIDE * pitch):
             dx, dy = line.step_to(contact)
             gap = hypot(dx, dy)
             count = ceil((gap / pitch - _GOOD_GAP) / _EDGE_GAP) - 1

@@ -88,7 +88,7 @@ class ProbeSection:
             plane.direction(-sides[starts_on]),
             contact,
             plane.direction(sides[1 - starts_on]),
-            before.sharp,
+            self.settings.safeguards.sharp_edge and before.sharp,
         )
         line = self._measured(scanned, plane, tangent, starts_on)
         if isinstance(line, Stop):

@@ -46,9 +46,9 @@ def plane(y=0.0, wedge=0.0):
     )
 
 
-def scanned(machine, begin=-4.3, literal=False, onward=None, first=None, **values):
+def scanned(machine, begin=-4.3, literal=False, onward=None, first=None, sharp=False, **values):
     scanner = LineScanner(machine, settings(literal, **values))
-    return scanner.scan(plane(), (begin, 0.0), LEVEL, first, onward, onward is not None)
+    return scanner.scan(plane(), (begin, 0.0), LEVEL, first, onward, sharp)
 
 
 def steps(contacts):
@@ -140,10 +140,10 @@ def test_the_gap_in_which_the_edge_is_expected_is_narrow(extruded, degrees):
     """Wherever the line starts, the sides' last contacts lie nearer to each other."""
     onward = -np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     gaps = {True: [], False: []}
-    for sharp_edge, found in gaps.items():
+    for sharp, found in gaps.items():
         for begin in np.arange(-4.7, -4.0, 0.1):
             part = extruded(extruded.wedge(degrees))
-            line = scanned(part, begin, onward=onward, sharp_edge=sharp_edge)
+            line = scanned(part, begin, onward=onward, sharp=sharp)
             assert line.stop is None
             assert part.off(line.contacts) == pytest.approx(0.0, abs=1e-9)
             level = np.abs(line.contacts[:, 2]) < 1e-9

@@ -24,7 +24,7 @@ ANGLES = [np.radians(a) for a in (35.0, 90.0, 120.0, 165.0)]
 DEGREES = [1, 2, 3]
 
 
-def settings(degree=1, tolerance=0.02, literal=False):
+def settings(degree=1, tolerance=0.02, literal=False, safeguards=None):
     values = ScanParameters(
         amplitude=10.0,
         line_pitch=0.5,
@@ -34,7 +34,7 @@ def settings(degree=1, tolerance=0.02, literal=False):
         approach=(0.0, 0.0, -1.0),
         prehit_distance=1.0,
         search_distance=5.0,
-        safeguards=Safeguards.none() if literal else None,
+        safeguards=Safeguards.none() if literal else safeguards,
     )
     return ProbeSettings.from_parameters(values, 0.26)
 
@@ -237,6 +237,31 @@ def test_plane_sides_meet_in_the_edge(angle, degree, literal):
     assert len(split) == 1
     assert abs(BOTH_SIDES[split[0]]) == np.abs(BOTH_SIDES).min()
     assert all(section.kept.all() for section in line.sections)
+
+
+@pytest.mark.parametrize("beside", [0.1, 0.3])
+@pytest.mark.parametrize("angle", ANGLES)
+def test_on_a_sharp_edge_the_farthest_point_stays_on_its_side(angle, beside):
+    wedge, away = Wedge(angle), np.arange(-4.9, 5.0, 0.5) + beside
+    line = wedge.measure(wedge.contacts(away), degree=2, safeguards=Safeguards(sharp_edge=True))
+    assert line.sharp
+    for k, section in enumerate(line.sections):
+        assert sorted(section.contacts) == sorted(np.flatnonzero(np.sign(away) == 2 * k - 1))
+        gap = np.hypot(*(line.sections[0].points[-1] - line.sections[1].points[-1]))
+        steps = np.abs(away[section.contacts])
+        assert line.length(k) == pytest.approx(steps[0] - steps[-1] + 0.5 * gap, abs=1e-9)
+
+
+def test_a_farthest_point_on_a_rounding_is_given_up_even_within_the_tolerance():
+    wedge = Wedge(np.radians(100.0))
+    contacts, _ = filleted(wedge, 1.2)
+    safeguards = Safeguards(sharp_edge=True)
+    kept, given_up = (
+        wedge.measure(contacts, degree=2, tolerance=0.1, safeguards=each)
+        for each in (safeguards, Safeguards())
+    )
+    for sharp, default in zip(kept.sections, given_up.sections, strict=True):
+        assert len(sharp.contacts) == len(default.contacts)
 
 
 @pytest.mark.parametrize("starts_on", [0, 1])
