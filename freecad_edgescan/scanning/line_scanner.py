@@ -75,7 +75,7 @@ class LineScanner:
         heading: tuple[float, float],
         first: np.ndarray | None = None,
         onward: tuple[float, float] | None = None,
-        sharp: bool = False,
+        edge_at: float | None = None,
     ) -> ScannedLine:
         """Scan a line until it is one amplitude long, with half of it behind the edge.
 
@@ -86,9 +86,10 @@ class LineScanner:
         heading : unit direction in the plane from the first contact to the second
         first : (3,) mm, a contact that is already there and begins the line
         onward : unit direction in the plane of the surface behind the edge, where it is known
-        sharp : whether the gap in which the edge lies, expected in the plane's origin, is narrowed
+        edge_at : x in the plane, mm, where an edge known to be sharp is expected; the gap between
+            the contacts is narrowed there
         """
-        line = _Line(plane, onward, sharp)
+        line = _Line(plane, onward, edge_at)
         try:
             if first is None:
                 first = self._first(plane, start)
@@ -96,7 +97,7 @@ class LineScanner:
             self._second(line, heading)
             most = _MOST_POINTS * self.settings.amplitude / self.settings.line_pitch + 10.0
             # As printed a line is too long by half a pitch on the average.
-            short = 0.5 * self.settings.line_pitch if self.settings.safeguards.sharp_edge else 0.0
+            short = 0.0 if edge_at is None else 0.5 * self.settings.line_pitch
             while not line.complete(
                 self.settings.amplitude - short, self.settings.half_line - short
             ):
@@ -294,8 +295,10 @@ def _point(answer: np.ndarray) -> np.ndarray:
 class _Line:
     """A line being scanned: its contacts, in space and in its plane."""
 
-    def __init__(self, plane: ScanPlane, onward: tuple[float, float] | None, sharp: bool) -> None:
-        self.plane, self.onward, self.sharp = plane, onward, sharp
+    def __init__(
+        self, plane: ScanPlane, onward: tuple[float, float] | None, edge_at: float | None
+    ) -> None:
+        self.plane, self.onward, self.edge_at = plane, onward, edge_at
         self.contacts: list[np.ndarray] = []
         self.xy: list[tuple[float, float]] = []
         self.length = 0.0
@@ -325,8 +328,10 @@ class _Line:
         On a rounding more contacts would be of no use: they are cleaned away, and those that are
         not pull the curve.
         """
+        if self.edge_at is None:
+            return False
         there = self.plane.coordinates(contact)[0]
-        return self.sharp and self.end[0] < beside and there > -beside
+        return self.end[0] < self.edge_at + beside and there > self.edge_at - beside
 
     def step_to(self, contact: np.ndarray) -> tuple[float, float]:
         """From the last contact to another one, in the plane."""

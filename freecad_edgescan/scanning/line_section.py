@@ -12,6 +12,7 @@ from .probe_settings import ProbeSettings
 
 __all__ = ["LineSection", "clean", "line_section"]
 
+_LEADING = 3  # degree of the curve that a section is drawn out by
 _SPARE = 2  # points beyond those a curve needs, that hold the tolerance for a reason
 
 
@@ -39,6 +40,17 @@ class LineSection:
         way, off = self.curve.derivative(u), points - self.curve.at(u)
         across = way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0]
         return np.asarray(across / np.hypot(way[:, 0], way[:, 1]))
+
+    def leading_curve(self) -> PolynomialCurve:
+        """Through the kept points, of a degree that leads on beyond them, however it is bent."""
+        points = self.points[self.kept]
+        return fit_polynomial(points, min(_LEADING, len(points) - 1))[0]
+
+    def lead_to(self, point: np.ndarray) -> float:
+        """How far beside the leading curve a point (2,) beyond the section's end lies, mm."""
+        curve = self.leading_curve()
+        u = curve.closest(point[None], np.ones(1))
+        return float(np.linalg.norm(curve.at(u)[0] - point))
 
 
 def line_section(

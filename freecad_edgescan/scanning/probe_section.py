@@ -88,9 +88,9 @@ class ProbeSection:
             plane.direction(-sides[starts_on]),
             contact,
             plane.direction(sides[1 - starts_on]),
-            self.settings.safeguards.sharp_edge and before.sharp,
+            self._edge_at(before, predicted, plane),
         )
-        line = self._measured(scanned, plane, tangent, starts_on)
+        line = self._measured(scanned, plane, tangent, starts_on, before.sharp_for)
         if isinstance(line, Stop):
             return Station(predicted, stop=line)
         safeguards = self.settings.safeguards
@@ -103,6 +103,16 @@ class ProbeSection:
             tangent = edge_tangent(line, behind, tangent, self.settings)
         sides = (1.0 - safeguards.smoothing) * sides + safeguards.smoothing * predicted.sides[0]
         return Station(frames_from_sides(point[None], tangent[None], sides[None]), line=line)
+
+    def _edge_at(self, before: ProbedLine, predicted: Frames, plane: ScanPlane) -> float | None:
+        """Where a sharp edge is touched, which is not where straight lines through arcs meet."""
+        if not self._known_sharp(before):
+            return None
+        beside = before.bent_edge_point - before.edge_point
+        return plane.coordinates(predicted.origin[0] + beside)[0]
+
+    def _known_sharp(self, line: ProbedLine) -> bool:
+        return self.settings.safeguards.sharp_edge and line.sharp
 
     def _plausible(
         self, point: np.ndarray, sides: np.ndarray, predicted: Frames, last: Station
@@ -160,7 +170,7 @@ class ProbeSection:
         zigzag = settings.pattern is Pattern.ZIGZAG
         if settings.safeguards.restore:
             size = float(np.linalg.norm(reach))
-            if settings.safeguards.sharp_edge:
+            if self._known_sharp(before):
                 size = before.length(starts_on)
             reach = reach * min(max(0.5 * settings.amplitude / max(size, 1e-9), 0.7), 1.4)
             if zigzag:
@@ -207,16 +217,21 @@ class ProbeSection:
         heading: tuple[float, float],
         first: np.ndarray | None = None,
         onward: tuple[float, float] | None = None,
-        sharp: bool = False,
+        edge_at: float | None = None,
     ) -> ScannedLine:
         try:
-            return self.scanner.scan(plane, start, heading, first, onward, sharp)
+            return self.scanner.scan(plane, start, heading, first, onward, edge_at)
         except Exception as failure:
             self.failure = failure
             return ScannedLine(np.zeros((0, 3)), Stop.CMM_FAILED)
 
     def _measured(
-        self, scanned: ScannedLine, plane: ScanPlane, tangent: np.ndarray, starts_on: int
+        self,
+        scanned: ScannedLine,
+        plane: ScanPlane,
+        tangent: np.ndarray,
+        starts_on: int,
+        sharp_for: int = 0,
     ) -> ProbedLine | Stop:
         if scanned.stop is not None and not (
             self.settings.safeguards.short_lines and len(scanned.contacts) >= _FEWEST_CONTACTS
@@ -230,6 +245,7 @@ class ProbeSection:
             starts_on,
             self.settings,
             plane.wedge * plane.inward if plane.wedge else None,
+            sharp_for,
         )
         if isinstance(line, Stop):
             return scanned.stop or line

@@ -114,7 +114,8 @@ def carried_lines(
         starts_on = 1 - line.ends_on
         across = line.rough_sides[line.ends_on] - line.rough_sides[starts_on]
         wedge = line.rough_sides.sum(axis=0)
-        again = measure_line(contacts, origin, tangent, across, starts_on, settings, wedge)
+        before = line.sharp_for - 1
+        again = measure_line(contacts, origin, tangent, across, starts_on, settings, wedge, before)
         if isinstance(again, Stop) or np.linalg.norm(again.edge_point - line.edge_point) > apart:
             again = line
         carried.append(again)

@@ -12,14 +12,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..geometry.polynomial_curve import fit_polynomial, meeting_parameters
+from ..geometry.polynomial_curve import meeting_parameters
 from .line_section import LineSection, line_section
 from .probe_settings import ProbeSettings
 from .stop import Stop
 
 __all__ = ["ProbedLine", "farthest_from_chord", "measure_line", "without_rounding"]
 
-_LEADING = 3  # degree of the curve that tells which section a point beyond both goes on with
+_LINES_TO_KNOW = 6  # in sequence without a rounding, for its edge to be known as sharp
+_LOOK_AGAIN = 24  # lines after it turned out that a rounding had been missed
+_ROUNDED = 0.02  # line pitches that the point at a rounding lies off the sides, at least
 _AS_WELL = 1.5  # times what a section's own points lie off its curve, at most
 _EXACT = 1e-6  # line pitches
 _DRAWN_OUT = 1.5  # of a section's length: how far its curve stands for the surface
@@ -39,6 +41,8 @@ class ProbedLine:
     sections : on the two surfaces of the edge, always in the same order
     meeting : parameters of the two curves where they meet
     ends_on : which of the two surfaces the line ended on
+    sharp_for : lines in sequence, up to this one, that showed no rounding; less than none, after
+        they were mistaken
     """
 
     contacts: np.ndarray
@@ -49,6 +53,7 @@ class ProbedLine:
     sections: tuple[LineSection, LineSection]
     meeting: tuple[float, float]
     ends_on: int
+    sharp_for: int = 0
 
     def place(self, xy: np.ndarray) -> np.ndarray:
         """Points (…, 3) mm where the line ran, at coordinates (…, 2) of the plane."""
@@ -81,8 +86,15 @@ class ProbedLine:
 
     @property
     def sharp(self) -> bool:
-        """Whether nothing beside the edge was cleaned away."""
-        return all(bool(section.kept[-1]) for section in self.sections)
+        """Whether the edge is known to have no rounding."""
+        return self.sharp_for >= _LINES_TO_KNOW
+
+    @property
+    def bent_edge_point(self) -> np.ndarray:
+        """Where curves of a higher degree meet, (3,) mm; without a rounding they come closer."""
+        first, second = (section.leading_curve() for section in self.sections)
+        met = meeting_parameters(first, second)
+        return self.edge_point if met is None else self.place(first.at(met[0]))
 
     def end(self, k: int) -> np.ndarray:
         """The end of section k nearest the edge, (3,) mm, on its curve."""
@@ -104,6 +116,7 @@ def measure_line(
     starts_on: int,
     settings: ProbeSettings,
     wedge: np.ndarray | None = None,
+    sharp_for: int = 0,
 ) -> ProbedLine | Stop:
     """Find the edge on a scanned line.
 
@@ -115,6 +128,7 @@ def measure_line(
     across : (3,) unit vector in the direction of travel
     starts_on : which of the two surfaces the line begins on
     wedge : (3,) a direction into the smaller wedge of the two surfaces, when it is known
+    sharp_for : of the line before this one
 
     Returns
     -------
@@ -144,9 +158,10 @@ def measure_line(
     ways = [0.0]
     if settings.safeguards.signed_split:
         ways = [1.0, -1.0] if wedge is None else [1.0 if wedge @ axes[1] > 0.0 else -1.0]
+    sharp = settings.safeguards.sharp_edge and sharp_for >= _LINES_TO_KNOW
     found: list[_Halves] = []
     for way in ways:
-        halves = _halves(points, farthest_from_chord(points, way), settings)
+        halves = _halves(points, farthest_from_chord(points, way), settings, sharp)
         if halves is not None:
             found.append(halves)
     if not found:
@@ -161,19 +176,35 @@ def measure_line(
     if settings.safeguards.slide:
         edge_at = first.curve.at(met[0])[0]
         drift = _drift(points[:, 0], offset @ normal, float(edge_at))
-    return ProbedLine(contacts, origin, axes, normal, drift, (first, second), met, 1 - starts_on)
+    sharp_for = _sharp_for(sharp_for, sharp, best.off <= _ROUNDED * settings.line_pitch)
+    sections = first, second
+    return ProbedLine(
+        contacts, origin, axes, normal, drift, sections, met, 1 - starts_on, sharp_for
+    )
+
+
+def _sharp_for(before: int, sharp: bool, again: bool) -> int:
+    """Lines in sequence without a rounding, with one more, that shows none again or does."""
+    if again or before < 0:
+        return before + 1
+    # Only contacts so close to the edge have shown it; the next such line would only be worse.
+    return -_LOOK_AGAIN if sharp else 0
 
 
 @dataclass(frozen=True)
 class _Halves:
-    """Both sections of a split line, where they meet, and how far from the split that is."""
+    """Both sections of a split line, where they meet, and how far from the split that is.
+
+    `off` is how far the point it is split at lies beside the section that leads to it.
+    """
 
     sections: tuple[LineSection, LineSection]
     meeting: tuple[float, float] | None
     miss: float
+    off: float
 
 
-def _halves(points: np.ndarray, split: int, settings: ProbeSettings) -> _Halves | None:
+def _halves(points: np.ndarray, split: int, settings: ProbeSettings, sharp: bool) -> _Halves | None:
     order = np.arange(len(points))
     sections = []
     for part in (order[:split], order[:split:-1]):
@@ -181,34 +212,25 @@ def _halves(points: np.ndarray, split: int, settings: ProbeSettings) -> _Halves 
         if section is None:
             return None
         sections.append(section)
-    if settings.safeguards.sharp_edge:
-        sections = _with_split(sections, split, points[split], settings)
+    beside = [section.lead_to(points[split]) for section in sections]
+    k = int(np.argmin(beside))
+    if sharp:
+        sections[k] = _with_split(sections[k], beside[k], split, points[split], settings)
     first, second = sections
     met = meeting_parameters(first.curve, second.curve)
-    if met is None:
-        return _Halves((first, second), None, np.inf)
-    miss = np.linalg.norm(first.curve.at(met[0]) - points[split])
-    return _Halves((first, second), met, float(miss))
+    miss = np.inf if met is None else np.linalg.norm(first.curve.at(met[0]) - points[split])
+    return _Halves((first, second), met, float(miss), beside[k])
 
 
 def _with_split(
-    sections: Sequence[LineSection], split: int, point: np.ndarray, settings: ProbeSettings
-) -> list[LineSection]:
-    """The point between the sections belongs to the one whose points lead to it, if it fits."""
-    off = []
-    for section in sections:
-        points = section.points[section.kept]
-        curve = fit_polynomial(points, min(_LEADING, len(points) - 1))[0]
-        u = curve.closest(point[None], np.ones(1))
-        off.append(float(np.linalg.norm(curve.at(u)[0] - point)))
-    k = int(np.argmin(off))
-    if off[k] > _AS_WELL * np.abs(sections[k].residuals()).max() + _EXACT * settings.line_pitch:
-        return list(sections)  # it lies on a rounding, even if the tolerance would let it pass
-    order = np.append(sections[k].contacts, split)
-    longer = line_section(order, np.vstack([sections[k].points, point]), settings)
-    if longer is None or not longer.kept[-1]:
-        return list(sections)
-    return [longer, sections[1]] if k == 0 else [sections[0], longer]
+    section: LineSection, off: float, split: int, point: np.ndarray, settings: ProbeSettings
+) -> LineSection:
+    """The section and the point that its line is split at, if that goes on with it."""
+    if off > _AS_WELL * np.abs(section.residuals()).max() + _EXACT * settings.line_pitch:
+        return section  # it lies on a rounding, even if the tolerance would let it pass
+    order = np.append(section.contacts, split)
+    longer = line_section(order, np.vstack([section.points, point]), settings)
+    return section if longer is None or not longer.kept[-1] else longer
 
 
 def without_rounding(

@@ -90,7 +90,7 @@ class Safeguards:
     feel_round: bool = True
     near_collisions: bool = True
     restore: bool = True
-    sharp_edge: bool = False
+    sharp_edge: bool = True
 
     @classmethod
     def none(cls) -> Safeguards:

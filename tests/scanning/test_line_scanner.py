@@ -46,9 +46,9 @@ def plane(y=0.0, wedge=0.0):
     )
 
 
-def scanned(machine, begin=-4.3, literal=False, onward=None, first=None, sharp=False, **values):
+def scanned(machine, begin=-4.3, literal=False, onward=None, first=None, edge_at=None, **values):
     scanner = LineScanner(machine, settings(literal, **values))
-    return scanner.scan(plane(), (begin, 0.0), LEVEL, first, onward, sharp)
+    return scanner.scan(plane(), (begin, 0.0), LEVEL, first, onward, edge_at)
 
 
 def steps(contacts):
@@ -143,7 +143,7 @@ def test_the_gap_in_which_the_edge_is_expected_is_narrow(extruded, degrees):
     for sharp, found in gaps.items():
         for begin in np.arange(-4.7, -4.0, 0.1):
             part = extruded(extruded.wedge(degrees))
-            line = scanned(part, begin, onward=onward, sharp=sharp)
+            line = scanned(part, begin, onward=onward, edge_at=0.0 if sharp else None)
             assert line.stop is None
             assert part.off(line.contacts) == pytest.approx(0.0, abs=1e-9)
             level = np.abs(line.contacts[:, 2]) < 1e-9

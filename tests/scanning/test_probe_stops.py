@@ -157,9 +157,10 @@ def test_lines_of_a_drifting_zigzag_keep_spanning_the_edge(extruded, drift, degr
 def test_turning_points_lie_half_an_edge_pitch_ahead_but_for_their_own_drift(extruded, drift):
     edge = scan(drifting(extruded, drift), **ZIGZAG)
     lines = edge.scan_lines.lines
+    early = 0.5 * 0.8 / AMPLITUDE  # edge pitches, for half a line pitch that a line may be short of
     for before, after in pairwise(lines[2:]):
         middle = 0.5 * (before.edge_point[1] + after.edge_point[1])
-        assert before.contacts[-1, 1] == pytest.approx(middle, abs=abs(drift) + 0.15)
+        assert before.contacts[-1, 1] == pytest.approx(middle, abs=abs(drift) + 0.15 + early)
         assert after.contacts[0, 1] == pytest.approx(middle, abs=abs(drift) + 0.25)
 
 
@@ -171,7 +172,8 @@ def test_without_restoring_it_the_zigzag_degenerates(extruded, drift):
     restored = scan(drifting(extruded, drift), **ZIGZAG)
     swing, repaired = (np.ptp(advances(each)[1:]) for each in (edge, restored))
     assert swing > 4.0 * abs(drift) + 0.5
-    assert repaired < 4.0 * abs(drift) + 0.1
+    # A line of a sharp edge may end half a line pitch early, too, where less is gained.
+    assert repaired < 4.0 * abs(drift) + 0.1 + 2.0 * 0.5 * 0.8 / AMPLITUDE
 
 
 @pytest.mark.parametrize("drift", [-0.5, 0.5])

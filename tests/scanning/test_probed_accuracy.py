@@ -39,6 +39,7 @@ SHARP = TorusObject(50.0, 40.0, np.radians(90.0), 0.0, 1.0)
 
 PROBED_BENDS = [(PROBED, 1.0), (PROBED, 2.0), (SHARP, 2.0)]  # and edge pitch, mm
 WAYS = ["point", "curve", "intersection", "intersection_printed"]
+ALIKE = Safeguards(sharp_edge=False)  # all lines of an edge are scanned in the same way
 POINTS = 10  # of a line section where nothing else is said
 
 
@@ -138,8 +139,13 @@ def sagitta_of(torus: TorusObject, edge_pitch: float) -> float:
     ("torus", "edge_pitch"), [(BARE, 1.0), (BARE, 2.0), *PROBED_BENDS], ids=named
 )
 def test_the_printed_compensation_lies_a_sagitta_inside_of_a_bend(torus, edge_pitch):
-    """Schreve 4.5.4.4: the rulings between lines j - 1 and j + 1 are chords, 2ρe long."""
-    edge = scanned(torus, edge_pitch=edge_pitch, compensation="intersection_printed")
+    """Schreve 4.5.4.4: the rulings between lines j - 1 and j + 1 are chords, 2ρe long.
+
+    Both lines have to be of one kind for that, and must not change when the edge is known as sharp.
+    """
+    edge = scanned(
+        torus, edge_pitch=edge_pitch, compensation="intersection_printed", safeguards=ALIKE
+    )
     assert set(edge.compensation[1:-1]) <= {"intersection_printed", "none"}
     outside, up = off_the_circle(torus, edge.points[1:-1]).T
     sagitta = sagitta_of(torus, edge_pitch)
@@ -315,7 +321,11 @@ MODELLED = TorusObject(20.0, 100.0, ANGLE)
 def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
     degree, fillet, probe, share
 ):
-    """A dozen points cover not quite s of the arc; how much, the points themselves tell."""
+    """A dozen points cover not quite s of the arc; how much, the points themselves tell.
+
+    Where lines get closer to the edge and their error halves, the edge has a step that is taken
+    for a bend; that is left out here.
+    """
     torus = TorusObject(20.0, 100.0, ANGLE, fillet, probe)
     side = share * (20.0 - probe)
     # Straight lines through few points of such long arcs jump too far to be followed.
@@ -328,6 +338,7 @@ def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
         edge_pitch=0.1,
         degree=degree,
         tolerance=whole if degree == 1 else None,
+        safeguards=ALIKE,
     )
     assert edge.stops[1] is Stop.GATE
     each = np.array([edge_of_arcs(torus, angles, degree) for angles in sections(torus, edge)])
@@ -341,37 +352,43 @@ def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
     assert np.hypot(*(found - expected).T).max() < max(0.1 * size.max(), unknown)
 
 
-@pytest.mark.parametrize("points", [10, 14, 24])
+@pytest.mark.parametrize("points", [10, 14, 24, 40])
 @pytest.mark.parametrize("share", [0.2, 0.5, 0.8])
 @pytest.mark.parametrize("degree", [1, 2])
 def test_a_square_scan_has_the_error_of_the_model(degree, share, points):
-    """On the average of where the points fall beside the edge; a single place may add a fifth.
+    """On the average of where the points fall beside the edge, once it is known to be sharp.
 
-    The first line, on which nobody knows yet where the edge is, and what is averaged with it are
-    left out. So are straight lines through few points of arcs of 46°, a millimetre off the edge,
-    from which the next line's edge is not predicted well enough: they have 1.1 to 1.2 of it.
+    Six lines are needed for that, and what is averaged with them is left out, too. Straight lines
+    on arcs of 46° lie a millimetre off the edge and scatter by a fifth of that from line to line:
+    they need more lines for the average.
     """
     straighter = TorusObject(20.0, 1000.0, ANGLE)  # in steps of 0.1 mm a bend is hard to tell
-    if (degree, share) == (1, 0.8) and points < 24:
-        points = 40
     side = share * straighter.section_radius
+    scattered = (degree, share) == (1, 0.8)
     found = []
     for place in (0.0, 0.25, 0.5, 0.75):
         edge = scanned(
             straighter,
-            lines=8.0,
+            lines=60.0 if scattered else 16.0,
             side=side,
             points=points + place,
             edge_pitch=0.1,
             degree=degree,
             tolerance=20.0,
-            safeguards=Safeguards(sharp_edge=True),
         )
         assert edge.stops[1] is Stop.GATE
-        found.append(np.hypot(*off_the_circle(straighter, edge.points[2:-1]).T).mean())
+        assert len(edge) > 14
+        found.append(np.hypot(*off_the_circle(straighter, edge.points[8:-1]).T).mean())
     expected = float(model_error(degree, side, straighter.section_radius, ANGLE))
     assert np.mean(found) == pytest.approx(expected, rel=0.1)
-    assert np.array(found) == pytest.approx(expected, rel=0.25)
+    assert np.array(found) == pytest.approx(expected, rel=0.4 if scattered else 0.2)
+
+
+@pytest.mark.parametrize("degree", [1, 2])
+def test_no_line_over_a_rounding_is_taken_for_one_over_a_sharp_edge(degree):
+    torus = TorusObject(20.0, 100.0, ANGLE, 0.5, 0.5)
+    edge = scanned(torus, lines=20.0, side=6.0, points=8, degree=degree, tolerance=20.0)
+    assert not any(line.sharp for line in edge.scan_lines.lines)
 
 
 # ---------------------------------------------------------------- steps in a bend

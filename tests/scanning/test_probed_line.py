@@ -208,12 +208,12 @@ class Wedge:
         """Points (n, 3) at coordinates across and out of the smaller wedge."""
         return self.edge + xy @ np.array([self.frame[1], -self.frame[2]])
 
-    def measure(self, contacts, starts_on=0, beside=0.3, **values):
+    def measure(self, contacts, starts_on=0, beside=0.3, sharp_for=0, **values):
         tangent, across, inward = self.frame
         way = across if starts_on == 0 else -across
         origin = self.edge + beside * across + 0.2 * tangent  # where the edge was predicted
         return measure_line(
-            contacts, origin, tangent, way, starts_on, settings(**values), wedge=inward
+            contacts, origin, tangent, way, starts_on, settings(**values), inward, sharp_for
         )
 
     def off(self, point):
@@ -239,11 +239,14 @@ def test_plane_sides_meet_in_the_edge(angle, degree, literal):
     assert all(section.kept.all() for section in line.sections)
 
 
+KNOWN = 6  # lines that showed no rounding
+
+
 @pytest.mark.parametrize("beside", [0.1, 0.3])
 @pytest.mark.parametrize("angle", ANGLES)
-def test_on_a_sharp_edge_the_farthest_point_stays_on_its_side(angle, beside):
+def test_on_an_edge_known_to_be_sharp_the_farthest_point_stays_on_its_side(angle, beside):
     wedge, away = Wedge(angle), np.arange(-4.9, 5.0, 0.5) + beside
-    line = wedge.measure(wedge.contacts(away), degree=2, safeguards=Safeguards(sharp_edge=True))
+    line = wedge.measure(wedge.contacts(away), degree=2, sharp_for=KNOWN)
     assert line.sharp
     for k, section in enumerate(line.sections):
         assert sorted(section.contacts) == sorted(np.flatnonzero(np.sign(away) == 2 * k - 1))
@@ -252,16 +255,31 @@ def test_on_a_sharp_edge_the_farthest_point_stays_on_its_side(angle, beside):
         assert line.length(k) == pytest.approx(steps[0] - steps[-1] + 0.5 * gap, abs=1e-9)
 
 
-def test_a_farthest_point_on_a_rounding_is_given_up_even_within_the_tolerance():
+@pytest.mark.parametrize("curved", [False, True], ids=["flat sides", "curved sides"])
+def test_it_takes_six_lines_without_a_rounding_to_know_a_sharp_edge(curved):
     wedge = Wedge(np.radians(100.0))
-    contacts, _ = filleted(wedge, 1.2)
-    safeguards = Safeguards(sharp_edge=True)
-    kept, given_up = (
-        wedge.measure(contacts, degree=2, tolerance=0.1, safeguards=each)
-        for each in (safeguards, Safeguards())
-    )
-    for sharp, default in zip(kept.sections, given_up.sections, strict=True):
-        assert len(sharp.contacts) == len(default.contacts)
+    contacts = wedge.contacts(BOTH_SIDES)
+    if curved:
+        side = arc_from_edge(wedge.angle / 2 - np.pi / 2, 12.0, 5.0, 0.5)
+        contacts = wedge.in_section(np.vstack([side[::-1] * [-1.0, 1.0], [[0.0, 0.0]], side]))
+    for before in range(8):
+        line = wedge.measure(contacts, degree=2, tolerance=1.0, sharp_for=before)
+        assert line.sharp_for == before + 1
+        assert line.sharp == (before + 1 >= KNOWN)
+        left_out = len(contacts) - sum(len(section.contacts) for section in line.sections)
+        assert left_out == (0 if before >= KNOWN else 1)
+
+
+@pytest.mark.parametrize("before", [0, KNOWN])
+@pytest.mark.parametrize("radius", [0.3, 1.2])
+def test_a_farthest_point_on_a_rounding_is_given_up_even_within_the_tolerance(radius, before):
+    wedge = Wedge(np.radians(100.0))
+    contacts, away = filleted(wedge, radius)
+    line = wedge.measure(contacts, degree=2, tolerance=1.0, sharp_for=before)
+    assert line.sharp_for <= 0
+    assert not line.sharp
+    farthest = np.abs(away).argmin()
+    assert all(farthest not in section.contacts for section in line.sections)
 
 
 @pytest.mark.parametrize("starts_on", [0, 1])
