@@ -13,7 +13,7 @@ FIGURES = (
     *("5.2", "5.3", "5.4", "5.5", "5.6", "5.7", "5.8", "5.9"),
     *("5.37", "5.38", "D.9", "D.10", "D.11", "D.12"),
 )
-CHOICES = ("compensation", "tangent")
+CHOICES = ("compensation", "tangent", "model")
 
 # What only the experiments themselves take, not a figure or a comparison.
 _OF_RUNS = {
@@ -85,7 +85,8 @@ def add_doe_options(doe: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     other.add_argument(
         "--compare", choices=CHOICES,
-        help="instead: ways to take the probe radius off, or to find the edge's direction",
+        help="instead: ways to take the probe radius off or to find the edge's direction, or an "
+        "exact machine's scans beside the analytical error",
     )  # fmt: skip
     doe.add_argument(
         "-o", "--output", type=Path, metavar="FILE.png",

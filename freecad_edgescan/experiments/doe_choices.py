@@ -1,16 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The comparisons that justify the defaults of a probed scan (Schreve 4.4.1, 4.5.5)."""
+"""The comparisons that justify the defaults of a probed scan (Schreve 4.4.1, 4.5.5), and 5.2."""
 
 from __future__ import annotations
 
 from ..scanning import Progress
 from .compensation_figures import compare_compensation
 from .doe_curves import Curves
+from .model_scans import compare_with_model
 from .tangent_figures import compare_tangents
 
 __all__ = ["compare_choices"]
 
-_CHOICES = {"compensation": compare_compensation, "tangent": compare_tangents}
+_CHOICES = {
+    "compensation": compare_compensation,
+    "tangent": compare_tangents,
+    "model": compare_with_model,
+}
 
 
 def compare_choices(
@@ -20,7 +25,7 @@ def compare_choices(
 
     Parameters
     ----------
-    choice : compensation, or tangent
+    choice : compensation, tangent, or model: the analytical error of a scan without noise
     seed : of the noise
     jobs : number of processes
 
@@ -29,5 +34,6 @@ def compare_choices(
     ValueError: a choice there is not.
     """
     if choice not in _CHOICES:
-        raise ValueError(f"There is no comparison of {choice!r}; choose compensation or tangent.")
+        known = ", ".join(_CHOICES)
+        raise ValueError(f"There is no comparison of {choice!r}; choose from {known}.")
     return _CHOICES[choice](seed, jobs, progress)

@@ -96,5 +96,5 @@ def test_sharper_angles_and_larger_radii_make_the_analytical_error_larger() -> N
 def test_there_is_no_other_figure() -> None:
     with pytest.raises(ValueError, match=r"D\.12.*5\.6"):
         make_figure("5.1")
-    with pytest.raises(ValueError, match="compensation or tangent"):
+    with pytest.raises(ValueError, match="compensation, tangent, model"):
         compare_choices("colour")
