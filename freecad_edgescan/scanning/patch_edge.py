@@ -11,16 +11,18 @@ from ..cloud.point_cloud import PointCloud
 from .air import convex_by_approach, convex_by_rounding
 from .automatic import Chosen
 from .corner import turned_covariance
+from .edge_ends import Vertices, corners_at, vertices_of, walked_to_vertices
 from .edge_gate import EdgeGate, until
 from .edge_path import path_along
 from .edge_points import Measured, measure_together
 from .fillet import rounding_radius
 from .scan_lines import ScanLines
-from .scanned_edge import ScannedEdge
+from .scanned_edge import ScannedEdge, Vertex
 from .section import SectionPoints, frames_from_sides
 from .side_fit import SideFits
 from .stop import Stop
 from .trace import Trace
+from .vertex import FoundVertex
 
 # Times the usual, where an end of an edge is not believed.
 _MOST_SCATTER = 4.5
@@ -42,11 +44,11 @@ def finish_edge(
     ------
     ScanError: the cloud holds probe centres and nothing tells on which side the air is.
     """
-    settings = chosen.settings
+    settings, probe = chosen.settings, chosen.parameters.probe_radius or 0.0
     met = float(np.median([station.noise for station in trace.stations]))
     noise = max(met, 0.5 * settings.noise)
     path = path_along(
-        trace,
+        trace if probe else walked_to_vertices(cloud, trace, settings),
         settings.edge_pitch,
         least_pitch=1.5 * settings.cloud_pitch,
         chord_height=chosen.parameters.chord_height,
@@ -56,6 +58,10 @@ def finish_edge(
         measured = _without_unsupported_ends(measured, trace.stops, settings.cloud_pitch)
     if arrived is not None and trace.stops[1] is Stop.GATE:
         measured = select_sections(measured, until(arrived, measured.corners().point))
+    vertices: Vertices = (None, None)
+    if not probe:
+        vertices = vertices_of(cloud, measured, trace.stops, settings)
+        measured = _cut_at(vertices, measured)
     frames = measured.frames
     seen = measured.corners()
     rounding, rounding_sigma = rounding_radius(
@@ -68,7 +74,6 @@ def finish_edge(
         settings.cloud_pitch,
         trace.closed,
     )
-    probe = chosen.parameters.probe_radius or 0.0
     convex = _convex(chosen, seen.normals, rounding, rounding_sigma)
     edge = measured.corners(-probe if convex else probe) if probe else seen
     fillet, sigma = _fillet(rounding, rounding_sigma, probe, convex)
@@ -87,15 +92,35 @@ def finish_edge(
         supported=measured.supplied & edge.found,
         compensation=np.full(len(frames), "offset" if probe else "none"),
         closed=trace.closed,
-        stops=trace.stops,
+        stops=corners_at(vertices, trace.stops),
         message="",
         scan_lines=ScanLines(
             frames, measured.points, measured.removed, measured.fits, seen.point, edge.point
         ),
         overhang=cloud.tree.query(seen.point)[0],
+        vertices=(_stated(vertices[0]), _stated(vertices[1])),
         parameters=chosen.parameters,
         reasons=chosen.reasons,
     )
+
+
+def _cut_at(vertices: Vertices, measured: Measured) -> Measured:
+    """Leave out edge points beyond a vertex, as long as some are left."""
+    point, tangent = measured.corners().point, measured.frames.tangent
+    keep = np.ones(len(point), dtype=bool)
+    for vertex, way in zip(vertices, (-1.0, 1.0), strict=True):
+        if vertex is not None:
+            beyond = way * np.einsum("mi,mi->m", point - vertex.point, tangent) > 0.0
+            near = np.linalg.norm(point - vertex.point, axis=1) < measured.fits.reach
+            keep &= ~(beyond & near)
+    kept = np.flatnonzero(keep)
+    if len(kept) < 3:
+        return measured
+    return select_sections(measured, slice(kept[0], kept[-1] + 1))
+
+
+def _stated(vertex: FoundVertex | None) -> Vertex | None:
+    return None if vertex is None else (vertex.point, vertex.covariance)
 
 
 def _convex(

@@ -19,10 +19,9 @@ from .evened import one_per_cell
 from .gait import jumped, predict, reversed_frame
 from .patch_section import PatchSection, PatchSettings
 from .section import Frames, Station, frames_from_sides
+from .shared_planes import normals_of, shared_planes
 
 _BALLS = (4.0, 6.0, 9.0, 14.0, 20.0, 30.0)  # radii round the click, in pitches
-_NEIGHBOURS = 16
-_SAME_DIRECTION = np.radians(14.0)  # at most; less where flatter edges are wanted
 _NEAR = 6.0  # pitches besides a rounding: a click farther off does not mean this edge
 _LARGEST_SIGMA = 0.5  # pitches
 _GROWTH = 1.7  # of the reach, from one measurement to the next
@@ -93,9 +92,9 @@ def proposals(cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float
     if len(index) < 12:
         return []
     points = one_per_cell(cloud.points[index], radius / 8.0)
-    normals = _normals(cloud, points)
+    normals = normals_of(cloud, points)
     weight = np.exp(-np.square(np.linalg.norm(points - at, axis=1) / (0.6 * radius)))
-    planes = _shared_planes(points, normals, weight, min_angle)
+    planes = shared_planes(points, normals, weight, min_angle)
     frames = []
     for (normal_a, centre_a), (normal_b, centre_b) in combinations(planes, 2):
         tangent = np.cross(normal_a, normal_b)
@@ -114,33 +113,6 @@ def proposals(cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float
             sides[k] *= 1.0 if (centre - origin) @ sides[k] >= 0 else -1.0
         frames.append(frames_from_sides(origin[None], tangent[None], sides[None]))
     return frames
-
-
-def _shared_planes(
-    points: np.ndarray, normals: np.ndarray, weight: np.ndarray, min_angle: float
-) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Up to three planes, each the normal and the centre of points that share a direction."""
-    alike = np.abs(normals @ normals.T)
-    same = np.cos(min(_SAME_DIRECTION, 0.45 * min_angle))
-    left = np.ones(len(points), dtype=bool)
-    planes = []
-    for _ in range(3):
-        score = (alike > same) @ (weight * left)
-        score[~left] = 0.0
-        leader = int(np.argmax(score))
-        members = left & (alike[leader] > same)
-        if members.sum() < 5 or score[leader] < 0.03 * weight.sum():
-            break
-        scatter = np.einsum("n,ni,nj->ij", weight[members], normals[members], normals[members])
-        normal = np.linalg.eigh(scatter)[1][:, -1]
-        height = points[members] @ normal
-        level = _weighted_median(height, weight[members])
-        centre = np.average(points[members], axis=0, weights=weight[members])
-        planes.append((normal, centre + (level - centre @ normal) * normal))
-        left &= np.abs(normals @ normal) < np.cos(0.7 * min_angle)
-        if left.sum() < 5:
-            break
-    return planes
 
 
 def _confirmed(
@@ -229,23 +201,9 @@ def _alike(one: Frames, other: Frames) -> bool:
     return bool(max(same.min(), crossed.min()) > np.cos(0.1))
 
 
-def _normals(cloud: PointCloud, points: np.ndarray) -> np.ndarray:
-    """Normals of the least-squares planes through each point's neighbours, (n, 3), any sign."""
-    _, neighbours = cloud.tree.query(points, k=min(_NEIGHBOURS, len(cloud)))
-    spread = cloud.points[neighbours]
-    spread = spread - spread.mean(axis=1, keepdims=True)
-    return np.linalg.eigh(np.einsum("nki,nkj->nij", spread, spread))[1][:, :, 0]
-
-
 def _thickness(points: np.ndarray) -> float:
     """Standard deviation of points about their plane, mm."""
     if len(points) < 6:
         return 0.0
     spread = points - points.mean(axis=0)
     return float(np.sqrt(max(np.linalg.eigvalsh(spread.T @ spread)[0], 0.0) / len(points)))
-
-
-def _weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
-    order = np.argsort(values)
-    half = np.searchsorted(np.cumsum(weights[order]), 0.5 * weights.sum())
-    return float(values[order[min(half, len(order) - 1)]])

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The two ends of an edge: walked on to its vertices, and the vertices measured.
+
+A walk stops short of a corner, where its slab takes in the next surface, or goes past it. Where a
+third surface is found, the sections of the finished edge are laid up to the vertex.
+
+A cloud of probe centres has no vertices here: its surfaces meet elsewhere than those of the part,
+and on which side of a third surface the air is nobody has said.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..cloud.point_cloud import PointCloud
+from .corner import across_axes
+from .edge_points import Measured
+from .gait import predict, reversed_frame
+from .patch_section import PatchSettings
+from .section import Frames, Station, frames_from_sides
+from .stop import Stop
+from .trace import Trace, turned
+from .vertex import EdgeEnd, FoundVertex, find_vertex
+
+__all__ = ["Vertices", "corners_at", "vertices_of", "walked_to_vertices"]
+
+Vertices = tuple[FoundVertex | None, FoundVertex | None]
+
+# Ends of a walk at which another surface may turn out to begin.
+_MAY_BE_CORNERS = (Stop.CORNER, Stop.CLOUD_END, Stop.LOST)
+_DRAWN_OUT = 16.0  # pitches of edge that are drawn out to a vertex
+_FEWEST, _MOST = 4, 40  # edge points for that
+_SHORT = 0.5  # pitches before a vertex, to which the sections are laid
+
+
+def walked_to_vertices(cloud: PointCloud, trace: Trace, settings: PatchSettings) -> Trace:
+    """The same walk, led on to half a pitch before its vertices, or cut there."""
+    stations = trace.stations
+    for k, stop in enumerate(trace.stops):
+        if stop in _MAY_BE_CORNERS and len(stations) >= _FEWEST:
+            outward = stations if k else [turned(station) for station in reversed(stations)]
+            outward = _to_vertex(cloud, outward, settings)
+            stations = outward if k else [turned(station) for station in reversed(outward)]
+    return replace(trace, stations=stations)
+
+
+def _to_vertex(
+    cloud: PointCloud, stations: list[Station], settings: PatchSettings
+) -> list[Station]:
+    """Stations up to half a pitch before the vertex ahead of them, if there is one."""
+    pitch, last = settings.cloud_pitch, stations[-1]
+    steps = max(last.step, settings.edge_pitch) if np.isfinite(last.step) else settings.edge_pitch
+    few = stations[-int(np.clip(round(_DRAWN_OUT * pitch / steps), _FEWEST, _MOST)) :]
+    end = EdgeEnd(
+        points=np.array([station.frame.origin[0] for station in few]),
+        covariance=np.array([station.sigma**2 * np.eye(3) for station in few]),
+        frame=last.frame,
+        clear=np.median([station.begins for station in few], axis=0),
+        overlap=1.0,
+        noise=settings.noise,
+    )
+    vertex = find_vertex(cloud, end, settings.min_angle)
+    if vertex is None:
+        return stations
+    ahead = [
+        float((vertex.point - station.frame.origin[0]) @ station.frame.tangent[0])
+        for station in stations
+    ]
+    if ahead[-1] > (1.0 + _SHORT) * pitch:
+        step = ahead[-1] - _SHORT * pitch
+        # It has not been measured: its neighbours know better where the edge runs.
+        beyond = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
+        return [*stations, beyond]
+    kept = len(stations)
+    while kept > _FEWEST and ahead[kept - 1] < 0.0:
+        kept -= 1
+    return stations[:kept]
+
+
+def vertices_of(
+    cloud: PointCloud, measured: Measured, stops: tuple[Stop, Stop], settings: PatchSettings
+) -> Vertices:
+    """The vertices in which a measured edge begins and ends."""
+    start, end = (
+        find_vertex(cloud, _end_of(measured, k, settings), settings.min_angle)
+        if stop in _MAY_BE_CORNERS and len(measured.at) >= _FEWEST
+        else None
+        for k, stop in enumerate(stops)
+    )
+    return start, end
+
+
+def corners_at(vertices: Vertices, stops: tuple[Stop, Stop]) -> tuple[Stop, Stop]:
+    """Why an edge ends: where a vertex was found, it is a corner."""
+    start, end = (
+        stop if vertex is None else Stop.CORNER
+        for vertex, stop in zip(vertices, stops, strict=True)
+    )
+    return start, end
+
+
+def _end_of(measured: Measured, k: int, settings: PatchSettings) -> EdgeEnd:
+    """The last sections at the start (k = 0) or the end of an edge, towards it."""
+    seen, spacing = measured.corners(), float(np.diff(measured.at).mean())
+    count = int(np.clip(round(_DRAWN_OUT * settings.cloud_pitch / spacing), _FEWEST, _MOST))
+    order = np.arange(len(measured.at))[-count:] if k else np.arange(len(measured.at))[:count][::-1]
+    # The very last section has points of other surfaces on one side of it.
+    order = order[:-1] if len(order) > _FEWEST else order
+    axes = across_axes(measured.frames.normals[order])
+    covariance = np.einsum("mai,mab,mbj->mij", axes, seen.covariance[order], axes)
+    return EdgeEnd(
+        points=seen.point[order],
+        covariance=covariance,
+        frame=_standing(measured, order, seen.point[order[-1]], seen.sides[order[-1]], k),
+        clear=np.median(measured.fits.begins[order], axis=0),
+        overlap=max(1.0, 2.0 * settings.half_width / spacing),
+        noise=float(np.median(measured.noise[order])),
+    )
+
+
+def _standing(
+    measured: Measured, order: np.ndarray, point: np.ndarray, sides: np.ndarray, k: int
+) -> Frames:
+    """The section at the last of some edge points, out of the edge."""
+    frame = frames_from_sides(
+        point[None],
+        measured.frames.tangent[order[-1:]],
+        sides[None],
+        np.median(measured.frames.bend[order], axis=0)[None],
+        np.median(measured.fits.coefficients[order, :, 2], axis=0)[None] / measured.fits.reach,
+    )
+    return frame if k else reversed_frame(frame)
