@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import Start as Start
     from freecad_edgescan.scanning import Stop as Stop
     from freecad_edgescan.scanning import recommend_parameters as recommend_parameters
+    from freecad_edgescan.scanning import scan_boundary as scan_boundary
     from freecad_edgescan.scanning import scan_edge as scan_edge
 
 __version__ = "0.1.0"
@@ -49,6 +50,7 @@ _HOME_OF = {
     "TrueEdge": "cloud",
     # scanning
     "scan_edge": "scanning",
+    "scan_boundary": "scanning",
     "recommend_parameters": "scanning",
     "ScanParameters": "scanning",
     "Start": "scanning",

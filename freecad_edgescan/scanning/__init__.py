@@ -2,6 +2,7 @@
 """Scanning of edges: from a cloud and a click to edge points with their uncertainty."""
 
 from .analytic_cmm import AnalyticCmm
+from .boundary import scan_boundary
 from .cmm import Cmm
 from .errors import ScanError
 from .parameters import Compensation, Pattern, ScanParameters, Steering, Tangent
@@ -42,5 +43,6 @@ __all__ = [
     "Stop",
     "Tangent",
     "recommend_parameters",
+    "scan_boundary",
     "scan_edge",
 ]

@@ -32,6 +32,7 @@ Vertices = tuple[FoundVertex | None, FoundVertex | None]
 _MAY_BE_CORNERS = (Stop.CORNER, Stop.CLOUD_END, Stop.LOST)
 _DRAWN_OUT = 16.0  # pitches of edge that are drawn out to a vertex
 _FEWEST, _MOST = 4, 40  # edge points for that
+_DOUBTFUL = 2.5  # times the median sigma of a walk
 _SHORT = 0.5  # pitches before a vertex, to which the sections are laid
 
 
@@ -46,29 +47,29 @@ def walked_to_vertices(cloud: PointCloud, trace: Trace, settings: PatchSettings)
     return replace(trace, stations=stations)
 
 
-def _to_vertex(
-    cloud: PointCloud, stations: list[Station], settings: PatchSettings
-) -> list[Station]:
+def _to_vertex(cloud: PointCloud, walked: list[Station], settings: PatchSettings) -> list[Station]:
     """Stations up to half a pitch before the vertex ahead of them, if there is one."""
-    pitch, last = settings.cloud_pitch, stations[-1]
+    pitch = settings.cloud_pitch
+    stations = _without_doubtful_end(walked)
+    last = stations[-1]
     steps = max(last.step, settings.edge_pitch) if np.isfinite(last.step) else settings.edge_pitch
     few = stations[-int(np.clip(round(_DRAWN_OUT * pitch / steps), _FEWEST, _MOST)) :]
     end = EdgeEnd(
         points=np.array([station.frame.origin[0] for station in few]),
         covariance=np.array([station.sigma**2 * np.eye(3) for station in few]),
-        frame=last.frame,
+        frame=_agreed(few[-_FEWEST:]),
         clear=np.median([station.begins for station in few], axis=0),
         overlap=1.0,
         noise=settings.noise,
     )
-    vertex = find_vertex(cloud, end, settings.min_angle)
+    vertex = find_vertex(cloud, end, settings.min_angle, beyond=_gap(walked[-1], last))
     if vertex is None:
-        return stations
+        return walked
     ahead = [
         float((vertex.point - station.frame.origin[0]) @ station.frame.tangent[0])
         for station in stations
     ]
-    if ahead[-1] > (1.0 + _SHORT) * pitch:
+    if ahead[-1] > pitch:
         step = ahead[-1] - _SHORT * pitch
         # It has not been measured: its neighbours know better where the edge runs.
         beyond = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
@@ -77,6 +78,31 @@ def _to_vertex(
     while kept > _FEWEST and ahead[kept - 1] < 0.0:
         kept -= 1
     return stations[:kept]
+
+
+def _without_doubtful_end(stations: list[Station]) -> list[Station]:
+    """Without last stations that are much less well known than most: a corner disturbs them."""
+    known = _DOUBTFUL * float(np.median([station.sigma for station in stations]))
+    kept = len(stations)
+    while kept > _FEWEST and stations[kept - 1].sigma > known:
+        kept -= 1
+    return stations[:kept]
+
+
+def _gap(one: Station, other: Station) -> float:
+    return float(np.linalg.norm(one.frame.origin - other.frame.origin))
+
+
+def _agreed(stations: list[Station]) -> Frames:
+    """The section at the last of a few stations, with sides as they all see them."""
+    frames, last = Frames.join([station.frame for station in stations]), stations[-1].frame
+    return frames_from_sides(
+        last.origin,
+        last.tangent,
+        frames.sides.mean(axis=0)[None],
+        last.bend,
+        np.median(frames.curvature, axis=0)[None],
+    )
 
 
 def vertices_of(

@@ -99,6 +99,10 @@ def finish_edge(
         ),
         overhang=cloud.tree.query(seen.point)[0],
         vertices=(_stated(vertices[0]), _stated(vertices[1])),
+        third_normals=(
+            None if vertices[0] is None else vertices[0].normal,
+            None if vertices[1] is None else vertices[1].normal,
+        ),
         parameters=chosen.parameters,
         reasons=chosen.reasons,
     )

@@ -32,6 +32,10 @@ class ProbedLines:
     def __len__(self) -> int:
         return len(self.lines)
 
+    def reversed(self) -> ProbedLines:
+        """The same lines in the other order."""
+        return ProbedLines(self.lines[::-1], self.frames.backward(), self.edge_points[::-1])
+
     def __getitem__(self, j: int) -> ScanLine:
         """Return the line of edge point j, in the plane across the edge."""
         if not -len(self) <= j < len(self):

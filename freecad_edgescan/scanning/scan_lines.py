@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -88,6 +88,28 @@ class ScanLines:
             (self.edge_points[j] - self.frames.origin[j]) @ to_plane,
             axes,
             self.frames.origin[j],
+        )
+
+    def reversed(self) -> ScanLines:
+        """The same sections, walked the other way."""
+        fits, points = self.fits, self.points
+        backward = np.array([1.0, 1.0, 1.0, -1.0])  # the sides' drift along the edge turns round
+        return ScanLines(
+            self.frames.backward(),
+            replace(points, owner=len(self) - 1 - points.owner, along=-points.along),
+            self.removed,
+            SideFits(
+                fits.reach,
+                fits.coefficients[::-1] * backward,
+                fits.inverse[::-1] * np.outer(backward, backward),
+                fits.variance[::-1],
+                fits.count[::-1],
+                fits.stretch[::-1],
+                fits.accepted[::-1],
+                fits.astray[::-1],
+            ),
+            self.meeting_points[::-1],
+            self.edge_points[::-1],
         )
 
     def _curve(self, j: int, k: int) -> np.ndarray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -46,6 +46,7 @@ class ScannedEdge:
     overhang : (m,) mm, how far from the nearest cloud point the two sides meet: little at a sharp
         edge, much where a rounding or wear took the edge away
     vertices : at start and end, the point where surfaces meet with its covariance, or None
+    third_normals : at start and end, the unit normal there of the third surface, or None
     parameters : the parameters with every automatic value filled in
     reasons : why each automatic value was chosen, by parameter name
     scan_lines : what was touched, for pictures
@@ -68,6 +69,7 @@ class ScannedEdge:
     scan_lines: ScanLines | ProbedLines
     overhang: np.ndarray = field(default_factory=lambda: np.zeros(0))
     vertices: tuple[Vertex | None, Vertex | None] = (None, None)
+    third_normals: tuple[np.ndarray | None, np.ndarray | None] = (None, None)
     parameters: ScanParameters = field(default_factory=ScanParameters)
     reasons: Mapping[str, str] = field(default_factory=dict)
     method: str = "patch"
@@ -95,6 +97,29 @@ class ScannedEdge:
         """Covariance of the points in space, (m, 3, 3) mm²; nothing is known along the edge."""
         axes = across_axes(self.normals)
         return np.einsum("mai,mab,mbj->mij", axes, self.covariance, axes)
+
+    @cached_property
+    def sides(self) -> np.ndarray:
+        """Unit vectors along the two surfaces at the edge, away from it, (m, 2, 3)."""
+        sides = np.cross(self.normals, self.tangents[:, None])
+        # A side lies behind the other one's surface, seen out of the smaller wedge.
+        behind = np.einsum("mki,mki->mk", sides, self.normals[:, ::-1])
+        wanted = 1.0 if self.convex is False else -1.0
+        return np.where((behind * wanted < 0.0)[..., None], -sides, sides)
+
+    def reversed(self) -> ScannedEdge:
+        """The same edge, walked the other way."""
+        backward = {
+            name: getattr(self, name)[::-1]
+            for name in (
+                *("points", "normals", "angle", "covariance", "fillet_radius", "fillet_sigma"),
+                *("supported", "compensation", "overhang"),
+                *("stops", "vertices", "third_normals"),
+            )
+        }
+        return replace(
+            self, tangents=-self.tangents[::-1], scan_lines=self.scan_lines.reversed(), **backward
+        )
 
     def curve(self, tolerance: float | None = None) -> BSplineCurve:
         """Weighted cubic B-spline in as few poles as explain the points.

@@ -9,7 +9,7 @@ two surfaces of a swept part do not change with u, so a wide slab of points shar
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -58,6 +58,10 @@ class Frames:
             self.bend[part],
             self.curvature[part],
         )
+
+    def backward(self) -> Frames:
+        """The same sections in the other order, walked the other way."""
+        return replace(self[::-1], tangent=-self.tangent[::-1])
 
     @staticmethod
     def join(frames: Sequence[Frames]) -> Frames:

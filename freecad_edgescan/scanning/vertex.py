@@ -22,7 +22,7 @@ __all__ = ["EdgeEnd", "FoundVertex", "find_vertex"]
 _BALL = 12.0  # pitches round the end, besides a rounding, in which a third surface is looked for
 _FEWEST = 15  # points of a third surface
 _FLATTEST = 0.25  # sine of the angle of the edge to a third surface, at least
-_SHORT, _FAR = 4.0, 4.0  # pitches before and behind the last edge point for a vertex
+_SHORT, _FAR = 4.0, 6.0  # pitches before and behind the last edge point for a vertex
 _MOST_OFF = 3.5  # standard deviations
 _TRIMS = 3
 _IN_COMMON = 0.5  # of an edge point's variance, that its neighbours share and no mean makes less
@@ -67,16 +67,19 @@ class FoundVertex:
     normal: np.ndarray
 
 
-def find_vertex(cloud: PointCloud, end: EdgeEnd, min_angle: float) -> FoundVertex | None:
+def find_vertex(
+    cloud: PointCloud, end: EdgeEnd, min_angle: float, beyond: float = 0.0
+) -> FoundVertex | None:
     """The vertex at the end of an edge, or None where no third surface is found.
 
     Parameters
     ----------
     min_angle : least turn between two surfaces, rad
+    beyond : how much farther than usual the vertex may lie, mm
     """
     edge = _DrawnOut.of(end)
     rounded = float(end.clear.max())
-    radius = _BALL * cloud.pitch + 2.0 * rounded
+    radius = _BALL * cloud.pitch + 2.0 * rounded + beyond
     ball = cloud.tree.query_ball_point(end.frame.origin[0], radius, return_sorted=False)
     index = np.asarray(ball, dtype=np.int64)
     if len(index) < _FEWEST:
@@ -89,7 +92,7 @@ def find_vertex(cloud: PointCloud, end: EdgeEnd, min_angle: float) -> FoundVerte
     even = one_per_cell(points[foreign], radius / 12.0)
     off = np.linalg.norm(even - end.frame.origin[0], axis=1)
     weight = np.exp(-np.square(off / (0.6 * radius)))
-    far = _FAR * cloud.pitch + 2.0 * rounded
+    far = _FAR * cloud.pitch + 2.0 * rounded + beyond
     clear = rounded + 0.5 * cloud.pitch
     for normal, centre in shared_planes(even, normals_of(cloud, even), weight, min_angle):
         slope = float(normal @ edge.tangent)

@@ -176,8 +176,10 @@ def test_the_machine_is_led_as_the_parameters_say():
         line = edge.scan_lines.lines[k]
         steps = np.linalg.norm(np.diff(line.contacts, axis=0), axis=1)
         assert steps.max() < 1.5 * 0.8 + 1e-9  # gaps across the edge are refilled
-        beside_the_edge = np.append(steps[1:3], steps[-2:])
-        assert beside_the_edge == pytest.approx(0.8, rel=0.06)
+        # A gap of more than 1.5 line pitches is halved, and its halves lie above three quarters.
+        far_from_the_edge = np.append(steps[1:3], steps[-2:])
+        assert np.all(far_from_the_edge > 0.75 * 0.8)
+        assert np.all(far_from_the_edge < 1.01 * 0.8)
         short = 0.5 * 0.8 if line.sharp else 0.0
         assert 8.0 - short <= steps.sum() < 8.0 + 3 * 0.8
 
