@@ -107,7 +107,7 @@ def find_vertex(
         surface = _fitted(points[room], normal, edge.at(at), radius, end.noise, cloud.pitch)
         if surface is None:
             continue
-        found = _cut(edge, surface, at)
+        found = _cut(edge, surface, at, radius)
         if found is not None:
             return found
     return None
@@ -245,13 +245,19 @@ def _fitted(
     return None if best is None else best[1]
 
 
-def _cut(edge: _DrawnOut, surface: _Surface, at: float) -> FoundVertex | None:
+def _cut(edge: _DrawnOut, surface: _Surface, at: float, radius: float) -> FoundVertex | None:
+    """Where the edge, drawn out, meets a surface within a radius from its end."""
     for _ in range(8):
         point, way = edge.at(at), edge.way(at)
         normal = surface.normal(point)
+        slope = float(normal @ way)
+        if abs(slope) < _FLATTEST:
+            return None
         # Heights are measured along the plane's own normal.
-        step = surface.height(point) * float(normal @ surface.axes[2]) / float(normal @ way)
+        step = surface.height(point) * float(normal @ surface.axes[2]) / slope
         at -= step
+        if abs(at) > radius:
+            return None
     point, way, normal = edge.at(at), edge.way(at), surface.normal(edge.at(at))
     slope = float(normal @ way)
     if abs(slope) < _FLATTEST or abs(step) > 1e-9 * (1.0 + abs(at)):
