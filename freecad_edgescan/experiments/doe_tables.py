@@ -205,7 +205,7 @@ def _failure_lines(run: DoeRun) -> Iterator[str]:
         f"{run.points:7d} {row.nominal_points:5.0f}{done:>11}  {run.stop}"
     )
     if run.message:
-        yield f"           {shorten(run.message, 160, placeholder=' …')}"
+        yield f"           {shorten(run.message, 240, placeholder=' …')}"
 
 
 def _marked(value: float, limit: float) -> str:

@@ -10,6 +10,7 @@ from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import make_interp_spline, splev, splprep
 from scipy.ndimage import gaussian_filter1d
 
+from ..geometry import simplest_curve
 from .section import Frames, frames_from_sides
 from .stop import Stop
 from .trace import Trace
@@ -87,7 +88,12 @@ def path_along(
         points[-1] = points[0]
     knots = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
     # The residuals lie in the two directions across the edge: twice as many as there are points.
-    smoothing = 2.0 * len(points) * _misjudgement(knots, points, weights)
+    misjudged = _misjudgement(knots, points, weights)
+    smoothing = 2.0 * len(points) * misjudged
+    simple = simplest_curve(points, np.sqrt(misjudged) / weights, closed)
+    if simple is not None:
+        # A spline wiggles, at its ends most of all, where each section borrows from one side only.
+        points, smoothing = points - simple.residuals(points), 0.0
     spline, _ = splprep(points.T, w=weights, u=knots, k=3, s=smoothing, per=closed)
     fine = np.linspace(knots[0], knots[-1], 8 * len(points))
     length = np.append(

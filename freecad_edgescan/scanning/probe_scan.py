@@ -28,8 +28,10 @@ from .progress import Progress
 from .report import describe
 from .scan_plan import ScanPlan, plan_for_cloud, plan_for_cmm
 from .scanned_edge import ScannedEdge
+from .section import Station
 from .start import Gate, Start
 from .stop import Stop
+from .tolerance import TOLERANCE_REASON, learned_tolerance
 from .trace import Trace, trace_both_ways, trace_one_way
 
 __all__ = ["scan_with_cmm", "scan_with_probe"]
@@ -83,15 +85,12 @@ def _scan(
     min_angle: float,
     progress: Progress | None,
 ) -> ScannedEdge:
-    settings, start = ProbeSettings.from_parameters(plan.parameters, min_angle), plan.start
-    section = ProbeSection(cmm, settings)
-    first = section.begin(start)
-    if first.stop is not None:
-        raise ScanError(
-            f"The first line, from ({_text(start.point)}) across ({_text(start.across)}), "
-            f"{first.stop.value}{_because(section.failure)}. Check the start, the approach and "
-            f"the amplitude of {settings.amplitude:g} mm."
-        ) from section.failure
+    section, first = _begin(cmm, plan, min_angle)
+    if plan.tolerance_to_learn and first.line is not None:
+        tolerance = learned_tolerance(first.line, section.settings)
+        plan = plan.with_tolerance(tolerance, TOLERANCE_REASON)
+        section, first = _begin(cmm, plan, min_angle)
+    settings = section.settings
     begins = at if isinstance(at, Start) else None
     reach = 0.5 * settings.amplitude
     arrived = make_gate(gate, begins, first, reach, settings.edge_pitch, settings.approach)
@@ -120,6 +119,27 @@ def _scan(
     )
     words = [describe(edge, gate), _because(section.failure, "The machine said: {}.")]
     return replace(edge, message=" ".join(filter(None, [*words, *plan.warnings])))
+
+
+def _begin(cmm: Cmm, plan: ScanPlan, min_angle: float) -> tuple[ProbeSection, Station]:
+    """Scan the first line.
+
+    Raises
+    ------
+    ScanError: it shows no edge.
+    """
+    settings, start = ProbeSettings.from_parameters(plan.parameters, min_angle), plan.start
+    section = ProbeSection(cmm, settings)
+    first = section.begin(start)
+    if first.stop is not None:
+        raise ScanError(
+            f"The first line, from ({_text(start.point)}) across ({_text(start.across)}), "
+            f"{first.stop.value}{_because(section.failure)}. Check the start, the approach, the "
+            f"amplitude of {settings.amplitude:g} mm, the prehit distance of "
+            f"{settings.prehit_distance:g} mm and the search distance of "
+            f"{settings.search_distance:g} mm."
+        ) from section.failure
+    return section, first
 
 
 def _because(failure: Exception | None, words: str = " ({})") -> str:

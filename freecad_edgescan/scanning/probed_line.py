@@ -21,6 +21,7 @@ __all__ = ["ProbedLine", "farthest_from_chord", "measure_line", "without_roundin
 
 _LINES_TO_KNOW = 6  # in sequence without a rounding, for its edge to be known as sharp
 _LOOK_AGAIN = 24  # lines after it turned out that a rounding had been missed
+_CLEAR = 0.6  # line pitches from the edge, within which there are contacts only where it is narrow
 _ROUNDED = 0.02  # line pitches that the point at a rounding lies off the sides, at least
 _AS_WELL = 1.5  # times what a section's own points lie off its curve, at most
 _EXACT = 1e-6  # line pitches
@@ -176,19 +177,26 @@ def measure_line(
     if settings.safeguards.slide:
         edge_at = first.curve.at(met[0])[0]
         drift = _drift(points[:, 0], offset @ normal, float(edge_at))
-    sharp_for = _sharp_for(sharp_for, sharp, best.off <= _ROUNDED * settings.line_pitch)
+    again = best.off <= _ROUNDED * settings.line_pitch
+    if sharp and not again:
+        # The contacts that have shown the rounding lie on it.
+        split = points[best.split]
+        (clear,) = np.nonzero(np.linalg.norm(points - split, axis=1) > _CLEAR * settings.line_pitch)
+        line = measure_line(
+            contacts[clear], origin, tangent, across, starts_on, settings, wedge, -_LOOK_AGAIN - 1
+        )
+        return line if isinstance(line, Stop) else _of_all_contacts(line, contacts, clear)
+    sharp_for = sharp_for + 1 if again or sharp_for < 0 else 0
     sections = first, second
     return ProbedLine(
         contacts, origin, axes, normal, drift, sections, met, 1 - starts_on, sharp_for
     )
 
 
-def _sharp_for(before: int, sharp: bool, again: bool) -> int:
-    """Lines in sequence without a rounding, with one more, that shows none again or does."""
-    if again or before < 0:
-        return before + 1
-    # Only contacts so close to the edge have shown it; the next such line would only be worse.
-    return -_LOOK_AGAIN if sharp else 0
+def _of_all_contacts(line: ProbedLine, contacts: np.ndarray, used: np.ndarray) -> ProbedLine:
+    """A line that was measured with some of its contacts only."""
+    first, second = (replace(section, contacts=used[section.contacts]) for section in line.sections)
+    return replace(line, contacts=contacts, sections=(first, second))
 
 
 @dataclass(frozen=True)
@@ -197,6 +205,8 @@ class _Halves:
 
     `off` is how far the point it is split at lies beside the section that leads to it.
     """
+
+    split: int
 
     sections: tuple[LineSection, LineSection]
     meeting: tuple[float, float] | None
@@ -219,7 +229,7 @@ def _halves(points: np.ndarray, split: int, settings: ProbeSettings, sharp: bool
     first, second = sections
     met = meeting_parameters(first.curve, second.curve)
     miss = np.inf if met is None else np.linalg.norm(first.curve.at(met[0]) - points[split])
-    return _Halves((first, second), met, float(miss), beside[k])
+    return _Halves(split, (first, second), met, float(miss), beside[k])
 
 
 def _with_split(

@@ -93,10 +93,12 @@ def choose_for_site(site: EdgeSite, given: ScanParameters) -> ProbeChoice:
         best = _for_degree(site, given, given.degree)
     else:
         line, best = (_for_degree(site, given, degree) for degree in (1, 2))
-        bias, scatter = line.expected.model_bias, best.expected.noise_error
-        straight = bias - best.expected.model_bias <= _UNSEEN * scatter
+        # What contacts lie too early is the same for both.
+        more = line.expected.model_bias - best.expected.model_bias
+        scatter = best.expected.noise_error
+        straight = more <= _UNSEEN * scatter
         best = line if straight else best
-        best.reasons["degree"] = _why(straight, bias, scatter)
+        best.reasons["degree"] = _why(straight, max(more, 0.0), scatter)
     check_possible(best.parameters)
     return best
 
@@ -118,11 +120,11 @@ def _check_room(site: EdgeSite) -> None:
         )
 
 
-def _why(straight: bool, bias: float, scatter: float) -> str:
+def _why(straight: bool, more: float, scatter: float) -> str:
     if not np.isfinite(scatter):
         return "the amplitude has not enough points for a quadratic"
     return (
-        f"a line would be off by {bias:.2g} mm all along the edge, "
+        f"a line would be off by {more:.2g} mm more all along the edge, "
         f"{'far below' if straight else 'too much for'} the {scatter:.2g} mm that noise does "
         "to a quadratic"
     )

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -38,6 +38,7 @@ class ScanPlan:
     warnings : sentences about given values that break a guideline, and about guidelines that
         contradict each other
     air_known : whether it is known on which side of the part the air is
+    tolerance_to_learn : whether the first line is to tell the tolerance
     """
 
     parameters: ScanParameters
@@ -45,6 +46,16 @@ class ScanPlan:
     start: Start
     warnings: tuple[str, ...] = ()
     air_known: bool = True
+    tolerance_to_learn: bool = False
+
+    def with_tolerance(self, tolerance: float, reason: str) -> ScanPlan:
+        """The same plan with another tolerance, mm."""
+        return replace(
+            self,
+            parameters=replace(self.parameters, tolerance=tolerance),
+            reasons={**self.reasons, "tolerance": reason},
+            tolerance_to_learn=False,
+        )
 
 
 def plan_for_cloud(
@@ -120,7 +131,19 @@ def plan_for_cmm(cmm: Cmm, start: Start, given: ScanParameters) -> ScanPlan:
         approach=(tuple(np.asarray(cmm.approach, dtype=float)), "the machine's own"),
     )
     check_possible(filled)
-    return ScanPlan(filled, reasons, start, _pitch_warnings(filled), air_known)
+    warnings = (*_pitch_warnings(filled), *_probe_warnings(cmm, given))
+    return ScanPlan(filled, reasons, start, warnings, air_known, given.tolerance is None)
+
+
+def _probe_warnings(cmm: Cmm, given: ScanParameters) -> tuple[str, ...]:
+    """About a probe radius that is not the machine's."""
+    radius = given.probe_radius
+    if radius is None or np.isclose(radius, float(cmm.probe_radius)):
+        return ()
+    return (
+        f"A probe radius of {radius:g} mm was given, and the machine says that its own is "
+        f"{float(cmm.probe_radius):g} mm; the given one was taken off.",
+    )
 
 
 def _check_machine(cmm: Cmm) -> None:
