@@ -88,28 +88,31 @@ class ProbeSection:
             plane.direction(-sides[starts_on]),
             contact,
             plane.direction(sides[1 - starts_on]),
-            self._edge_at(before, predicted, plane),
+            plane.coordinates(origin)[0] if self._known_sharp(before) else None,
         )
         line = self._measured(scanned, plane, tangent, starts_on, before.sharp_for)
         if isinstance(line, Stop):
             return Station(predicted, stop=line)
         safeguards = self.settings.safeguards
         point, sides = line.edge_point, line.rough_sides
-        if safeguards.plausible and not self._plausible(point, sides, predicted, last):
+        here = self._walked_on(line)
+        expected = here if self._known_sharp(before) else point
+        if safeguards.plausible and not self._plausible(expected, sides, predicted, last):
             return Station(predicted, stop=Stop.NO_EDGE)
         behind = self._back(last)
         gap = np.linalg.norm(point - behind.edge_point)
         if gap >= 0.5 * safeguards.baseline * self.settings.amplitude:
             tangent = edge_tangent(line, behind, tangent, self.settings)
         sides = (1.0 - safeguards.smoothing) * sides + safeguards.smoothing * predicted.sides[0]
-        return Station(frames_from_sides(point[None], tangent[None], sides[None]), line=line)
+        return Station(frames_from_sides(here[None], tangent[None], sides[None]), line=line)
 
-    def _edge_at(self, before: ProbedLine, predicted: Frames, plane: ScanPlane) -> float | None:
-        """Where a sharp edge is touched, which is not where straight lines through arcs meet."""
-        if not self._known_sharp(before):
-            return None
-        beside = before.bent_edge_point - before.edge_point
-        return plane.coordinates(predicted.origin[0] + beside)[0]
+    def _walked_on(self, line: ProbedLine) -> np.ndarray:
+        """The edge point from which the walk goes on.
+
+        Straight lines through arcs meet off the edge, each somewhere else; an edge that is known
+        as sharp is walked along where it is.
+        """
+        return line.bent_edge_point if self._known_sharp(line) else line.edge_point
 
     def _known_sharp(self, line: ProbedLine) -> bool:
         return self.settings.safeguards.sharp_edge and line.sharp

@@ -22,6 +22,7 @@ __all__ = ["ProbedLine", "farthest_from_chord", "measure_line", "without_roundin
 _LINES_TO_KNOW = 6  # in sequence without a rounding, for its edge to be known as sharp
 _LOOK_AGAIN = 24  # lines after it turned out that a rounding had been missed
 _CLEAR = 0.6  # line pitches from the edge, within which there are contacts only where it is narrow
+_MISSED = 0.1  # line pitches that narrow contacts lie off the sides when they are on a rounding
 _ROUNDED = 0.02  # line pitches that the point at a rounding lies off the sides, at least
 _AS_WELL = 1.5  # times what a section's own points lie off its curve, at most
 _EXACT = 1e-6  # line pitches
@@ -178,7 +179,7 @@ def measure_line(
         edge_at = first.curve.at(met[0])[0]
         drift = _drift(points[:, 0], offset @ normal, float(edge_at))
     again = best.off <= _ROUNDED * settings.line_pitch
-    if sharp and not again:
+    if sharp and best.off > _MISSED * settings.line_pitch:
         # The contacts that have shown the rounding lie on it.
         split = points[best.split]
         (clear,) = np.nonzero(np.linalg.norm(points - split, axis=1) > _CLEAR * settings.line_pitch)
