@@ -32,6 +32,7 @@ Vertices = tuple[FoundVertex | None, FoundVertex | None]
 _MAY_BE_CORNERS = (Stop.CORNER, Stop.CLOUD_END, Stop.LOST)
 _DRAWN_OUT = 16.0  # pitches of edge that are drawn out to a vertex
 _FEWEST, _MOST = 4, 40  # edge points for that
+_STRAIGHT_ON = np.cos(0.4)  # of a turn between two stations that a corner may be to blame for
 _DOUBTFUL = 2.5  # times the median sigma of a walk
 _SHORT = 0.5  # pitches before a vertex, to which the sections are laid
 
@@ -81,10 +82,15 @@ def _to_vertex(cloud: PointCloud, walked: list[Station], settings: PatchSettings
 
 
 def _without_doubtful_end(stations: list[Station]) -> list[Station]:
-    """Without last stations that are much less well known than most: a corner disturbs them."""
+    """Without last stations that a corner disturbs: badly known, or turned round it."""
     known = _DOUBTFUL * float(np.median([station.sigma for station in stations]))
+
+    def doubtful(last: Station, before: Station) -> bool:
+        onward = float(last.frame.tangent[0] @ before.frame.tangent[0])
+        return last.sigma > known or onward < _STRAIGHT_ON
+
     kept = len(stations)
-    while kept > _FEWEST and stations[kept - 1].sigma > known:
+    while kept > _FEWEST and doubtful(stations[kept - 1], stations[kept - 2]):
         kept -= 1
     return stations[:kept]
 
@@ -94,11 +100,14 @@ def _gap(one: Station, other: Station) -> float:
 
 
 def _agreed(stations: list[Station]) -> Frames:
-    """The section at the last of a few stations, with sides as they all see them."""
+    """The section at the last of a few stations, with tangent and sides as they all see them."""
     frames, last = Frames.join([station.frame for station in stations]), stations[-1].frame
+    chord = frames.origin[-1] - frames.origin[0]
+    # The chord's direction is that of the edge in its middle.
+    ahead = chord / np.linalg.norm(chord) + 0.5 * np.linalg.norm(chord) * last.bend[0]
     return frames_from_sides(
         last.origin,
-        last.tangent,
+        ahead[None],
         frames.sides.mean(axis=0)[None],
         last.bend,
         np.median(frames.curvature, axis=0)[None],
