@@ -18,10 +18,11 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners
 from .edge_path import EdgePath
+from .neighbours import borrowed
 from .patch_section import PatchSettings
 from .pooling import agreed_stretches, cleaned, evened_moments, shared_curvature
 from .section import Frames, SectionPoints
-from .side_fit import SideFits, fit_summed, shift_along, sum_stretches
+from .side_fit import SideFits, fit_summed, sum_stretches
 from .stop import Stop
 from .strip import strip_points
 
@@ -132,8 +133,8 @@ def _supplied_fits(
         if not thin.any() or wider >= len(own) // 2:
             break
         steps = [sign * k for k in range(width + 1, wider + 1) for sign in (-1, 1)]
-        borrowed = sum(_neighbours(own, path, step, reach) for step in steps)
-        summed = summed + borrowed / overlap
+        more = sum(borrowed(own, path, step, reach) for step in steps)
+        summed = summed + more / overlap
         width = wider
         wide = fit(summed)
         fits = SideFits(
@@ -155,14 +156,6 @@ def _supplied_fits(
             ),
         )
     return fits
-
-
-def _neighbours(own: np.ndarray, path: EdgePath, step: int, reach: float) -> np.ndarray:
-    """Normal equations of the sections a number of steps further, seen from each section."""
-    ahead = path.ahead(step)
-    there = np.isfinite(ahead)
-    seen = shift_along(np.roll(own, -step, axis=0), np.where(there, ahead, 0.0) / reach)
-    return seen * there[:, None, None]
 
 
 def _plausible(

@@ -309,13 +309,11 @@ def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
     return np.einsum("mkb,mkbq->mkq", within.astype(float), moments)
 
 
-def shift_along(summed: np.ndarray, distance: np.ndarray) -> np.ndarray:
-    """Normal equations (m, 2, 15) of points moved by distances (m,) along the edge, in reaches."""
-    move = np.broadcast_to(np.eye(_TERMS + 1), (len(summed), _TERMS + 1, _TERMS + 1)).copy()
-    move[:, 3, 0] = distance
+def moved_moments(summed: np.ndarray, moves: np.ndarray) -> np.ndarray:
+    """Normal equations (m, 2, 15) in other terms: moves (m, 2, 5, 5) times (1, s, q, u, n)."""
     full = summed[..., _SQUARE]
-    moved = np.einsum("mij,mkjl,mnl->mkin", move, full, move)
-    return moved[..., _PAIRS[0], _PAIRS[1]]
+    moved = np.einsum("mkij,mkjl,mknl->mkin", moves, full, moves, optimize=True)
+    return np.asarray(moved[..., _PAIRS[0], _PAIRS[1]])
 
 
 def _solve(

@@ -10,7 +10,6 @@ from freecad_edgescan.scanning.side_fit import (
     block_moments,
     choose_stretches,
     fit_summed,
-    shift_along,
     sum_stretches,
     without_crowds,
 )
@@ -90,23 +89,6 @@ def test_points_outside_the_reach_are_in_no_block():
     inside = np.count_nonzero(points.away < REACH)
     assert block_counts(points, 1, REACH).sum() == inside
     assert block_moments(points, 1, REACH)[..., 0].sum() == pytest.approx(inside)
-
-
-@pytest.mark.parametrize("distance", [0.3, -1.7])
-def test_normal_equations_moved_along_the_edge_are_those_of_moved_points(distance):
-    points = side_points(circle(30.0, 0.1), 0.1)
-    moved = SectionPoints(
-        points.index,
-        points.owner,
-        points.along + distance * REACH,
-        points.side,
-        points.away,
-        points.height,
-    )
-    summed = block_moments(points, 1, REACH).sum(axis=2)
-    shifted = shift_along(summed, np.array([distance]))
-    wanted = block_moments(moved, 1, REACH).sum(axis=2)
-    assert shifted == pytest.approx(wanted, rel=1e-9, abs=1e-9)
 
 
 def test_the_sum_over_a_stretch_is_the_sum_of_its_blocks():

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Borrowed normal equations are those of the same points, seen from the section that borrows."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from freecad_edgescan.geometry.frames import rotate
+from freecad_edgescan.scanning.edge_path import EdgePath
+from freecad_edgescan.scanning.neighbours import borrowed
+from freecad_edgescan.scanning.section import Frames, frames_from_sides, section_points
+from freecad_edgescan.scanning.side_fit import block_moments
+from freecad_edgescan.scanning.stop import Stop
+
+REACH = 5.0
+RADIUS = 40.0
+SECTIONS = 7
+
+
+def path(bent: bool, rng) -> EdgePath:
+    """Sections beside a straight or a circular edge, each turned about its tangent."""
+    turn = np.linspace(0.0, 0.3, SECTIONS)
+    circle = RADIUS * np.stack([np.cos(turn) - 1.0, np.sin(turn), 0.0 * turn], axis=1)
+    round_it = np.stack([-np.sin(turn), np.cos(turn), 0.0 * turn], axis=1)
+    inward = np.stack([-np.cos(turn), -np.sin(turn), 0.0 * turn], axis=1)
+    if not bent:
+        round_it, inward = np.tile([0.0, 1.0, 0.0], (2, SECTIONS, 1))
+        circle = turn[:, None] * RADIUS * round_it
+    aside = 0.2 * rng.normal(size=(SECTIONS, 2))
+    outward = np.cross(round_it, [0.0, 0.0, 1.0]) if bent else np.tile([1.0, 0, 0], (SECTIONS, 1))
+    origin = circle + aside[:, :1] * outward + aside[:, 1:] * [0.0, 0.0, 1.0]
+    tilt = 0.1 * rng.normal(size=SECTIONS)
+    sides = np.stack([rotate(outward, round_it, tilt), rotate([0, 0, 1.0], round_it, tilt)], 1)
+    # Concentric circles: the edge's own curvature where the section stands.
+    bend = inward / (RADIUS + aside[:, :1]) if bent else None
+    frames = frames_from_sides(origin, round_it, sides, bend)
+    return EdgePath(frames, turn * RADIUS, 0.3 * RADIUS, False, (Stop.CORNER, Stop.CORNER))
+
+
+def moments_of(frames: Frames, groups):
+    """Normal equations (m, 2, 15) of one group of points (n, 3) for each section."""
+    found = []
+    for k, (points, sides) in enumerate(groups):
+        index = np.arange(len(points))
+        seen = section_points(frames[k], np.zeros_like(index), index, points)
+        assert np.array_equal(seen.side, sides)
+        found.append(block_moments(seen, 1, 10.0 * REACH).sum(axis=2)[0])
+    return np.array(found)
+
+
+@pytest.mark.parametrize("bent", [False, True])
+@pytest.mark.parametrize("step", [1, -2])
+def test_borrowed_are_the_neighbours_points(bent, step):
+    rng = np.random.default_rng(5)
+    edge = path(bent, rng)
+    groups = []
+    for frame in (edge.frames[k] for k in range(SECTIONS)):
+        sides = rng.integers(0, 2, 60)
+        away, height, along = rng.uniform([1.0, -0.3, -1.0], [4.0, 0.3, 1.0], (60, 3)).T
+        plane = away[:, None] * frame.sides[0, sides] + height[:, None] * frame.normals[0, sides]
+        # Along the edge, on circles about the same axis where it is bent.
+        if bent:
+            turn = along / RADIUS
+            centre = np.array([-RADIUS, 0.0, 0.0])
+            points = centre + rotate(frame.origin[0] + plane - centre, [0, 0, 1.0], turn)
+        else:
+            points = frame.origin[0] + plane + along[:, None] * frame.tangent[0]
+        groups.append((points, sides))
+    own = moments_of(edge.frames, groups)
+    seen = borrowed(own, edge, step, 10.0 * REACH)
+    for k in range(SECTIONS):
+        if not 0 <= k + step < SECTIONS:
+            assert not seen[k].any()
+            continue
+        expected = moments_of(edge.frames[k], [groups[k + step]])[0]
+        assert seen[k] == pytest.approx(expected, rel=1e-6, abs=1e-6 if not bent else 2e-3)
