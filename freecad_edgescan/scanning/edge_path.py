@@ -10,7 +10,7 @@ from scipy.integrate import cumulative_trapezoid
 from scipy.interpolate import make_interp_spline, splev, splprep
 from scipy.ndimage import gaussian_filter1d
 
-from ..geometry import simplest_curve
+from ..geometry import Line, simplest_curve
 from .section import Frames, frames_from_sides
 from .stop import Stop
 from .trace import Trace
@@ -91,7 +91,7 @@ def path_along(
     misjudged = _misjudgement(knots, points, weights)
     smoothing = 2.0 * len(points) * misjudged
     simple = simplest_curve(points, np.sqrt(misjudged) / weights, closed)
-    if simple is not None:
+    if isinstance(simple, Line):
         # A spline wiggles, at its ends most of all, where each section borrows from one side only.
         points, smoothing = points - simple.residuals(points), 0.0
     spline, _ = splprep(points.T, w=weights, u=knots, k=3, s=smoothing, per=closed)

@@ -30,6 +30,9 @@ from .side_fit import (
 _POOLED = 4  # sections on each side that decide together
 _STRIDES = (8, 4, 3)  # sections from one decision to the next, first to last
 _POOLED_CURVATURE = 8
+# How many times larger than that of independent windows the variance of their mean is.
+_SHARES = np.convolve(np.ones(2 * _POOLED + 1), np.ones(2 * _POOLED_CURVATURE + 1))
+_OVERLAP = float(np.square(_SHARES).sum() / _SHARES.sum())
 
 
 def cleaned(
@@ -71,10 +74,11 @@ def shared_curvature(pooled: SideFits, path: EdgePath) -> tuple[np.ndarray, np.n
     weight = 1.0 / variance
     total = _pool(weight, path, _POOLED_CURVATURE)
     mean = _pool(weight * own, path, _POOLED_CURVATURE) / total
-    # Pooled windows overlap 2·_POOLED + 1 times; what scatters beyond that is real change.
+    # Pooled windows overlap; what scatters beyond chance is real change.
     scatter = _pool(weight * np.square(own - mean), path, _POOLED_CURVATURE) / total
-    known = (2 * _POOLED + 1) / total
-    return mean, np.sqrt(scatter + known + 1e-8)
+    known = _OVERLAP / total
+    by_chance = np.maximum(_pool(np.ones_like(own), path, _POOLED_CURVATURE) / total - known, 0.0)
+    return mean, np.sqrt(np.maximum(scatter - by_chance, 0.0) + known + 1e-8)
 
 
 def evened_moments(points: SectionPoints, path: EdgePath, settings: PatchSettings) -> np.ndarray:

@@ -27,7 +27,7 @@ def path(bent: bool, rng) -> EdgePath:
     if not bent:
         round_it, inward = np.tile([0.0, 1.0, 0.0], (2, SECTIONS, 1))
         circle = turn[:, None] * RADIUS * round_it
-    aside = 0.2 * rng.normal(size=(SECTIONS, 2))
+    aside = np.tile(0.2 * rng.normal(size=2), (SECTIONS, 1))
     outward = np.cross(round_it, [0.0, 0.0, 1.0]) if bent else np.tile([1.0, 0, 0], (SECTIONS, 1))
     origin = circle + aside[:, :1] * outward + aside[:, 1:] * [0.0, 0.0, 1.0]
     tilt = 0.1 * rng.normal(size=SECTIONS)
@@ -35,7 +35,8 @@ def path(bent: bool, rng) -> EdgePath:
     # Concentric circles: the edge's own curvature where the section stands.
     bend = inward / (RADIUS + aside[:, :1]) if bent else None
     frames = frames_from_sides(origin, round_it, sides, bend)
-    return EdgePath(frames, turn * RADIUS, 0.3 * RADIUS, False, (Stop.CORNER, Stop.CORNER))
+    radius = RADIUS + aside[0, 0] if bent else RADIUS
+    return EdgePath(frames, turn * radius, 0.3 * radius, False, (Stop.CORNER, Stop.CORNER))
 
 
 def moments_of(frames: Frames, groups):
