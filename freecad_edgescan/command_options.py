@@ -21,6 +21,7 @@ Vector = tuple[float, float, float]
 SCAN_EXAMPLES = """examples:
   edgescan scan part.ply --at 12.5,-3,40 -o edge.step
   edgescan scan part.xyz --at 1,2,3 --at 4,5,6 -o edges.csv -o edges.step --picture edges.png
+  edgescan scan part.ply --at 12.5,-3,40 --inside 15,0,42 -o face.step
   edgescan scan probed.asc --probe-radius 1 --approach 0,0,-1 --at 10,0,5 --gate 90,0,5 -o rim.step
   edgescan scan part.ply --start 0,-5,0 --across 0,1,0 --along 1,0,0 \\
                          --gate 80,-5,0 --gate-across 0,1,0 --amplitude 10
@@ -67,6 +68,10 @@ def _parser() -> argparse.ArgumentParser:
         "--at", type=_vector, action="append", default=[], metavar="X,Y,Z",
         help="a point near an edge, mm; repeat for more edges",
     )  # fmt: skip
+    scan.add_argument(
+        "--inside", type=_vector, metavar="X,Y,Z",
+        help="a point on a face beside the edge at --at: scan all edges round this face",
+    )  # fmt: skip
     scan.add_argument("--start", type=_vector, metavar="X,Y,Z", help="first point, on one side")
     scan.add_argument("--across", type=_vector, metavar="DX,DY,DZ", help="from it over the edge")
     scan.add_argument("--along", type=_vector, metavar="DX,DY,DZ", help="from it along the edge")
@@ -84,7 +89,8 @@ def _parser() -> argparse.ArgumentParser:
     scan.add_argument(
         "-o", "--output", type=Path, action="append", default=[], metavar="FILE",
         help=".step for CAD (needs FreeCAD), .csv for edge points with sigma; repeatable. Several "
-        "--at with one .csv write name-1.csv, name-2.csv and so on, numbered by --at",
+        "--at, or --inside, with one .csv write name-1.csv, name-2.csv and so on, numbered by --at "
+        "or round the face",
     )  # fmt: skip
     scan.add_argument("--picture", type=Path, metavar="FILE.png", help="cloud and edges, drawn")
     scan.add_argument(

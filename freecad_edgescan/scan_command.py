@@ -13,10 +13,19 @@ from freecad_edgescan.command_options import given_parameters
 from freecad_edgescan.edge_table import edge_table
 from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.output_files import PICTURES, check_not_the_scan, check_output
-from freecad_edgescan.scanning import Gate, ScannedEdge, ScanParameters, Start, scan_edge
+from freecad_edgescan.scanning import (
+    Gate,
+    ScannedEdge,
+    ScanParameters,
+    Start,
+    scan_boundary,
+    scan_edge,
+)
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
 
 __all__ = ["scan_file"]
+
+_MOST_EDGES = 99  # round a face, whose tables must not be written over the scan
 
 
 def scan_file(options: argparse.Namespace) -> int:
@@ -25,7 +34,11 @@ def scan_file(options: argparse.Namespace) -> int:
     _check_outputs(options, len(targets))
     parameters = ScanParameters(**given_parameters(options))
     cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
-    edges, code = _scan_targets(cloud, targets, parameters, options.method)
+    if options.inside is None:
+        edges, code = _scan_targets(cloud, targets, parameters, options.method)
+    else:
+        edges, code = _scan_boundary(cloud, targets[0][0], options.inside, parameters)
+        targets = targets * len(edges)
     if not edges:
         return code
     written: list[Path] = []
@@ -87,6 +100,8 @@ def _write_step(edges: dict[int, ScannedEdge], path: Path) -> None:
 def _targets(options: argparse.Namespace) -> list[tuple[Any, Any]]:
     """What to scan from and to: pairs of a click or Start, and a point, Gate or None."""
     gate: Any = options.gate
+    if options.inside is not None:
+        _check_inside(options)
     if options.gate_across is not None:
         if gate is None:
             raise ValueError("--gate-across needs --gate, the gate's first end; give both.")
@@ -111,12 +126,22 @@ def _targets(options: argparse.Namespace) -> list[tuple[Any, Any]]:
     return [(Start(options.start, options.across, options.along), gate)]
 
 
+def _check_inside(options: argparse.Namespace) -> None:
+    """Refuse what does not go with the edges round a face."""
+    if len(options.at) != 1:
+        raise ValueError("--inside needs one --at, a point near an edge of that face; give both.")
+    if options.gate is not None:
+        raise ValueError("--inside goes round the whole face; leave --gate out.")
+    if options.method != "patch":
+        raise ValueError("--inside is for the patch method; leave --method out.")
+
+
 def _check_outputs(options: argparse.Namespace, clicks: int) -> None:
     """Refuse, before anything is read, what cannot be written or would write over the scan."""
     for path in options.output:
         check_output(path, (".step", ".stp", ".csv"), options.file)
         if path.suffix.lower() == ".csv":
-            for number in range(1, clicks + 1):
+            for number in range(1, (clicks if options.inside is None else _MOST_EDGES) + 1):
                 check_not_the_scan(_numbered(path, number, clicks), options.file)
     for picture in (options.picture, options.section):
         if picture:
@@ -141,3 +166,18 @@ def _scan_targets(
         if progress.cancelled:
             return edges, exit_code(progress)
     return edges, 0 if len(edges) == len(targets) else 2
+
+
+def _scan_boundary(
+    cloud: PointCloud, at: Any, inside: Any, parameters: ScanParameters
+) -> tuple[dict[int, ScannedEdge], int]:
+    """Edges round a face by their number, and the exit code."""
+    with TerminalProgress("edges round the face") as progress:
+        try:
+            found = scan_boundary(cloud, at, inside, parameters, progress=progress)
+        except ValueError as error:
+            progress.clear()
+            tell(str(error))
+            return {}, 2
+    edges = dict(enumerate(found, 1))
+    return edges, exit_code(progress) if progress.cancelled else 0
