@@ -143,6 +143,13 @@ def _parser() -> argparse.ArgumentParser:
             option, type=_number, default=value, metavar="MM", help=f"{text} (default: {value:g})"
         )
     accuracy.add_argument(
+        "--wedges", type=_whole_number, metavar="N",
+        help="instead of parts: N wedges at random, spoilt at random; lists wrong edges",
+    )  # fmt: skip
+    accuracy.add_argument(
+        "--sharp", action="store_true", help="of --wedges, only such without a rounding"
+    )
+    accuracy.add_argument(
         "--seed", type=_whole_number, default=0, metavar="N", help="of the random numbers"
     )
 
