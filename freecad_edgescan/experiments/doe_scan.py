@@ -17,10 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 from ..cloud import SimulatedCloud
 from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start, Stop, scan_edge
 from ..scanning.corner import across_axes
+from .collecting import collect
 from .doe_design import Trial
 from .doe_result import PATCH, DoeRun, Group
 from .edge_bound import edge_bound
-from .processes import Failure, map_in_processes
+from .processes import Failure
 
 __all__ = ["RowTask", "edge_errors", "scan_row", "scan_rows", "scan_trial", "trial_cloud"]
 
@@ -76,20 +77,14 @@ def scan_rows(
     jobs : number of processes
     progress : told the share of objects done and what `describe` makes of their runs
     """
-    rows: dict[int, Row] = {}
-    work = map_in_processes(scan_row, tasks, jobs)
-    try:
-        for news in work:
-            if news is not None:
-                number, row = news
-                if isinstance(row, Failure):
-                    row = failed_runs(tasks[number], row.text)
-                rows[number] = row
-            if progress and not progress.update(len(rows) / len(tasks), describe(rows)):
-                break
-    finally:
-        work.close()
-    return rows
+
+    def rows_of(done: Mapping[int, Row | Failure]) -> dict[int, Row]:
+        return {
+            number: failed_runs(tasks[number], row.text) if isinstance(row, Failure) else row
+            for number, row in done.items()
+        }
+
+    return rows_of(collect(scan_row, tasks, jobs, progress, lambda done: describe(rows_of(done))))
 
 
 def failed_runs(task: RowTask, text: str) -> Row:

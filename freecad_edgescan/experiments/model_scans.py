@@ -14,8 +14,9 @@ import numpy as np
 from ..cloud import TorusObject
 from ..scanning import AnalyticCmm, Gate, Progress, ScanParameters, Start, Stop, scan_edge
 from ..scanning.error_model import model_error
+from .collecting import collect
 from .doe_curves import Curve, Curves
-from .processes import Failure, map_in_processes
+from .processes import Failure
 
 __all__ = ["PLACES", "POINTS", "SHARES", "compare_with_model", "over_the_model"]
 
@@ -88,19 +89,11 @@ def compare_with_model(
         (degree, share, points + place)
         for degree, share, points, place in product(DEGREES, SHARES, POINTS, PLACES)
     ]
-    ratios, done = np.full(len(cases), np.nan), 0
-    work = map_in_processes(over_the_model, cases, jobs)
-    try:
-        for news in work:
-            if news is not None:
-                number, ratio = news
-                done += 1
-                if not isinstance(ratio, Failure):
-                    ratios[number] = ratio
-            if progress and not progress.update(done / len(cases), f"{done} scans"):
-                break
-    finally:
-        work.close()
+    ratios = np.full(len(cases), np.nan)
+    found = collect(over_the_model, cases, jobs, progress, lambda done: f"{len(done)} scans")
+    for number, ratio in found.items():
+        if not isinstance(ratio, Failure):
+            ratios[number] = ratio
     return tuple(
         _figure(degree, of_degree)
         for degree, of_degree in zip(DEGREES, ratios.reshape(shape), strict=True)

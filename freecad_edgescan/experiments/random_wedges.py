@@ -18,7 +18,8 @@ from ..cloud import PointCloud
 from ..geometry import Line
 from ..scanning import Progress, ScanError, scan_edge
 from ..scanning.corner import across_axes
-from .processes import Failure, map_in_processes
+from .collecting import collect
+from .processes import Failure
 
 __all__ = ["SPOILT", "Judged", "RandomWedge", "judge", "make_wedge", "search", "wedge_table"]
 
@@ -213,20 +214,13 @@ def search(
     RuntimeError: a scan has failed with something else than a refusal, which is always a fault.
     """
     tasks = [(number, rounded) for number in range(first, first + count)]
-    found: dict[int, Judged] = {}
-    work = map_in_processes(judge, tasks, jobs)
-    try:
-        for news in work:
-            if news is not None:
-                number, judged = news
-                if isinstance(judged, Failure):
-                    raise RuntimeError(f"wedge {tasks[number][0]}: {judged.text}")
-                found[number] = judged
-            if progress and not progress.update(len(found) / count, f"{len(found)} wedges"):
-                break
-    finally:
-        work.close()
-    return [found[number] for number in sorted(found)]
+    found = collect(judge, tasks, jobs, progress, lambda done: f"{len(done)} wedges")
+    judged = []
+    for number, answer in sorted(found.items(), key=lambda item: item[0]):
+        if isinstance(answer, Failure):
+            raise RuntimeError(f"wedge {tasks[number][0]}: {answer.text}")
+        judged.append(answer)
+    return judged
 
 
 def wedge_table(found: Sequence[Judged]) -> str:
