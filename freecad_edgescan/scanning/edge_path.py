@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
@@ -27,6 +27,7 @@ class EdgePath:
     length : mm, of the whole edge
     closed : whether the last section leads back to the first
     ends : why the edge ends there, at its start and end
+    begins : (2,) distance from the edge, mm, where the walk has found that each side begins
     """
 
     frames: Frames
@@ -34,6 +35,7 @@ class EdgePath:
     length: float
     closed: bool
     ends: tuple[Stop, Stop]
+    begins: np.ndarray = field(default_factory=lambda: np.zeros(2))
 
     def __len__(self) -> int:
         return len(self.at)
@@ -115,14 +117,21 @@ def path_along(
     smooth = [gaussian_filter1d(x, spread, axis=0, mode=mode) for x in (sides, curvature)]
     sides, curvature = (make_interp_spline(knots, x, k=1)(place) for x in smooth)
     frames = frames_from_sides(origin, tangent, sides, bend, curvature)
-    return EdgePath(frames, np.interp(place, fine, length), float(length[-1]), closed, trace.stops)
+    at = np.interp(place, fine, length)
+    return EdgePath(frames, at, float(length[-1]), closed, trace.stops, _begins(trace))
 
 
 def _as_walked(walked: Frames, trace: Trace) -> EdgePath:
     """The few sections of a short walk, as they are."""
     steps = np.linalg.norm(np.diff(walked.origin, axis=0), axis=1)
     at = np.append(0.0, np.cumsum(steps))
-    return EdgePath(walked, at, float(at[-1]), trace.closed, trace.stops)
+    return EdgePath(walked, at, float(at[-1]), trace.closed, trace.stops, _begins(trace))
+
+
+def _begins(trace: Trace) -> np.ndarray:
+    """Where most stations of a walk have seen that each side begins, (2,) mm."""
+    begins = np.median([station.begins for station in trace.stations], axis=0)
+    return np.nan_to_num(begins)
 
 
 def _derivatives(spline: tuple, place: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -30,6 +30,9 @@ from .side_fit import (
 _POOLED = 4  # sections on each side that decide together
 _STRIDES = (8, 4, 3)  # sections from one decision to the next, first to last
 _POOLED_CURVATURE = 8
+# Of where the walk has seen a side begin. A single section rather runs into a rounding than that
+# it begins too late, and what lies far inside of that is the rounding itself.
+_NOT_BEFORE = 0.85
 # How many times larger than that of independent windows the variance of their mean is.
 _SHARES = np.convolve(np.ones(2 * _POOLED + 1), np.ones(2 * _POOLED_CURVATURE + 1))
 _OVERLAP = float(np.square(_SHARES).sum() / _SHARES.sum())
@@ -109,6 +112,7 @@ def _decide(
         scatter=1.8,
         doubtful=None if doubtful is None else doubtful[few],
         together=True,
+        least_begin=_NOT_BEFORE * path.begins,
     )
     # Where a rounding is taken for the side it is so all along; each decision sees it by chance.
     astray = uniform_filter1d(chosen.astray, 3, axis=0, mode="wrap" if path.closed else "nearest")

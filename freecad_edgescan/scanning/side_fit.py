@@ -161,6 +161,7 @@ def choose_stretches(
     scatter: float = 1.25,
     doubtful: np.ndarray | None = None,
     together: bool = False,
+    least_begin: np.ndarray | float = 0.0,
 ) -> SideFits:
     """Fit every stretch of blocks of every side, and keep the one that knows the edge best.
 
@@ -180,6 +181,7 @@ def choose_stretches(
     doubtful : (m, 2, BLOCKS) blocks that lost many of their points as outliers: where a rounding
         begins, the points that are left only look like the side
     together : whether the points are those of many sections, which see far smaller departures
+    least_begin : distance from the edge, mm, within which no stretch begins, one or (2,)
     """
     first, last = _stretches()
     sections = len(moments)
@@ -219,6 +221,7 @@ def choose_stretches(
     bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
     side = np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
     side &= np.abs(coefficients[..., 2]) <= _MOST_CURVED
+    side &= BLOCK_EDGES[first] * reach >= np.broadcast_to(least_begin, (2,))[:, None]
     if doubtful is not None:
         side &= ~np.any(within & doubtful[:, :, None, :], axis=-1)
     # Share of the length, not of the points: scans crowd points on roundings.

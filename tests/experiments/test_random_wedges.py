@@ -49,11 +49,12 @@ def test_a_wedge_is_what_it_says() -> None:
         if wedge.spoilt == "outliers":
             continue
         off = edge.residuals(cloud.points) / wedge.pitch
-        flat = np.linalg.norm(off, axis=1) > wedge.rounding / np.tan(0.5 * wedge.angle) + 1.0
-        way = off[flat] / np.linalg.norm(off[flat], axis=1, keepdims=True)
-        bisector = way.mean(axis=0) / np.linalg.norm(way.mean(axis=0))
-        half = np.arccos(np.clip(way @ bisector, -1.0, 1.0))
-        assert np.median(half) == pytest.approx(0.5 * wedge.angle, abs=0.03)
+        flat = np.linalg.norm(off, axis=1) > wedge.rounding / np.tan(0.5 * wedge.angle) + 3.0
+        between = off[flat].mean(axis=0)
+        aside = np.cross(edge.direction, between)
+        turn = np.arctan2(off[flat] @ aside, off[flat] @ between)
+        found = np.median(turn[turn > 0.0]) - np.median(turn[turn < 0.0])
+        assert found == pytest.approx(wedge.angle, abs=0.03)
         assert np.linalg.norm(edge.residuals(click[None])) < 5.0 * wedge.pitch
         again = make_wedge(number, rounded=True)[1]
         assert np.array_equal(again.points, cloud.points)
