@@ -29,7 +29,7 @@ __all__ = ["Vertices", "corners_at", "vertices_of", "walked_to_vertices"]
 Vertices = tuple[FoundVertex | None, FoundVertex | None]
 
 # Ends of a walk at which another surface may turn out to begin.
-_MAY_BE_CORNERS = (Stop.CORNER, Stop.CLOUD_END, Stop.LOST)
+_MAY_BE_CORNERS = (Stop.CORNER, Stop.CLOUD_END)
 _DRAWN_OUT = 16.0  # pitches of edge that are drawn out to a vertex
 _FEWEST, _MOST = 4, 40  # edge points for that
 _STRAIGHT_ON = np.cos(0.4)  # of a turn between two stations that a corner may be to blame for
