@@ -155,7 +155,7 @@ def _accuracy(options: argparse.Namespace) -> int:
 
 
 def _wedges(options: argparse.Namespace) -> int:
-    from freecad_edgescan.experiments.random_wedges import search, wedge_table
+    from freecad_edgescan.experiments.wedge_search import search, wedge_table
 
     if options.parts:
         raise ValueError("--wedges are scanned instead of parts; leave --parts out.")

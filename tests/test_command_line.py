@@ -120,28 +120,6 @@ def test_several_clicks_give_several_numbered_tables(capsys, roof_file: Path) ->
     assert (roof_file.parent / "e-2.csv").is_file()
 
 
-def test_all_edges_round_a_face_are_scanned_from_one_click(capsys, tmp_path: Path) -> None:
-    """Two gables close the roof: its slope is a rectangle of 40 by 8 mm, open at the eaves."""
-    y, down = np.meshgrid(np.arange(-5.5, 5.6, PITCH), np.arange(0.0, 5.7, PITCH))
-    below = down.ravel() > np.abs(y.ravel())
-    gable = np.column_stack([np.zeros(below.sum()), y.ravel()[below], -down.ravel()[below]])
-    noise = np.random.default_rng(6).normal(0, 0.01, (2, *gable.shape))
-    closed = np.vstack([roof(), gable + noise[0] + [-20, 0, 0], gable + noise[1] + [19.5, 0, 0]])
-    np.savetxt(tmp_path / "house.xyz", closed)
-    command = ["scan", str(tmp_path / "house.xyz"), "--at", "0,0,0", "--inside", "0,4,-4"]
-    assert main([*command, "-o", str(tmp_path / "edge.csv")]) == 0
-    told = capsys.readouterr().out
-    tables = [edge_points(tmp_path / f"edge-{number}.csv") for number in (1, 2, 3)]
-    assert not (tmp_path / "edge-4.csv").exists()
-    assert told.count("Wrote") == 3
-    verge, ridge, other = tables
-    assert np.abs(ridge[:, 1:]).max() < 0.05
-    assert np.ptp(ridge[:, 0]) > 37.0
-    for edge, x in ((verge, verge[0, 0]), (other, other[0, 0])):
-        assert min(abs(x + 20.0), abs(x - 19.5)) < 0.05
-        assert np.abs(edge[:, 1] + edge[:, 2]).max() < 0.05
-
-
 def test_a_scan_from_start_to_gate_stops_at_the_gate(capsys, roof_file: Path) -> None:
     words = ["--start", "-10,-2,-2", "--across", "0,1,1", "--along", "1,0,0", "--gate", "10,-2,-2"]
     words += ["--gate-across", "0,1,0", "--amplitude", "6"]

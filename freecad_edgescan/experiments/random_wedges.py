@@ -1,14 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A search for confident wrong edges: wedges at random, spoilt at random, one click on each.
-
-A scan may refuse, and may know an edge badly; it must not state a small sigma for an edge that is
-somewhere else. The measure is the Mahalanobis distance of each edge point: how far off it is across
-the edge, in the standard deviations that the scan states.
-"""
+"""Wedges at random, and clouds of them, spoilt at random."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,19 +10,11 @@ from scipy.spatial.transform import Rotation
 
 from ..cloud import PointCloud
 from ..geometry import Line
-from ..scanning import Progress, ScanError, scan_edge
-from ..scanning.corner import across_axes
-from .collecting import collect
-from .processes import Failure
 
-__all__ = ["SPOILT", "Judged", "RandomWedge", "judge", "make_wedge", "search", "wedge_table"]
+__all__ = ["SPOILT", "RandomWedge", "make_wedge"]
 
 # What is done to a cloud, besides noise.
 SPOILT = ("nothing", "outliers", "quantised", "duplicates", "gap", "thinned")
-
-# A scan is wrong when more than this share of its points, or one point, or the root mean square
-# of all is farther off than so many of its own standard deviations.
-_SHARE, _OFF, _FAR_OFF, _RMS = 0.02, 4.0, 7.0, 2.5
 
 
 @dataclass(frozen=True)
@@ -58,48 +44,6 @@ class RandomWedge:
             f"wedge {self.number}: {np.degrees(self.angle):.0f}°, pitch {self.pitch:.3g} mm, noise "
             f"{self.noise:g}, rounding {self.rounding:.1f}, sides {self.width:.1f}, length "
             f"{self.length:.0f} pitches, {self.spoilt}"
-        )
-
-
-@dataclass(frozen=True)
-class Judged:
-    """What a scan of one wedge states, held against the truth.
-
-    Attributes
-    ----------
-    wedge : it
-    distances : (m,) Mahalanobis distances; none where the scan refused
-    errors : (m,) pitches, distances from the edge
-    """
-
-    wedge: RandomWedge
-    distances: np.ndarray
-    errors: np.ndarray
-
-    @property
-    def refused(self) -> bool:
-        """Whether the scan found no edge."""
-        return len(self.distances) == 0
-
-    @property
-    def wrong(self) -> bool:
-        """Whether the edge is farther off than the scan states."""
-        if self.refused:
-            return False
-        off, rms = self.distances > _OFF, np.sqrt(np.mean(self.distances**2))
-        return bool(off.mean() > _SHARE or self.distances.max() > _FAR_OFF or rms > _RMS)
-
-    @property
-    def elsewhere(self) -> bool:
-        """Whether most of it is off by more than four standard deviations."""
-        return not self.refused and bool(np.median(self.distances) > _OFF)
-
-    def line(self) -> str:
-        """One line of text; only of an edge that was found."""
-        return (
-            f"{self.wedge}: {len(self.distances)} edge points, "
-            f"{(self.distances > _OFF).mean():.0%} beyond {_OFF:g}, largest "
-            f"{self.distances.max():.1f}, up to {self.errors.max():.2g} pitches off"
         )
 
 
@@ -176,69 +120,3 @@ def _spoilt(points: np.ndarray, wedge: RandomWedge, rng: np.random.Generator) ->
     if wedge.spoilt == "thinned":
         points = points[rng.random(len(points)) < 0.5]
     return points
-
-
-def judge(task: tuple[int, bool]) -> Judged:
-    """Scan one wedge, by its number and whether it may be rounded, from one click."""
-    wedge, cloud, click, truth = make_wedge(*task)
-    try:
-        edge = scan_edge(cloud, at=click)
-    except ScanError:
-        return Judged(wedge, np.zeros(0), np.zeros(0))
-    off = truth.residuals(edge.points)
-    seen = np.einsum("mai,mi->ma", across_axes(edge.normals), off)
-    inverse = np.linalg.inv(edge.covariance)
-    distances = np.sqrt(np.einsum("ma,mab,mb->m", seen, inverse, seen))
-    return Judged(wedge, distances, np.linalg.norm(off, axis=1) / wedge.pitch)
-
-
-def search(
-    count: int,
-    rounded: bool = True,
-    first: int = 0,
-    jobs: int = 2,
-    progress: Progress | None = None,
-) -> list[Judged]:
-    """Scan wedges at random; those that were scanned so far when `progress` cancels.
-
-    Parameters
-    ----------
-    count : of the wedges
-    rounded : whether half of them have a rounding
-    first : number of the first one
-    jobs : number of processes
-    progress : told the share of wedges done
-
-    Raises
-    ------
-    RuntimeError: a scan has failed with something else than a refusal, which is always a fault.
-    """
-    tasks = [(number, rounded) for number in range(first, first + count)]
-    found = collect(judge, tasks, jobs, progress, lambda done: f"{len(done)} wedges")
-    judged = []
-    for number, answer in sorted(found.items(), key=lambda item: item[0]):
-        if isinstance(answer, Failure):
-            raise RuntimeError(f"wedge {tasks[number][0]}: {answer.text}")
-        judged.append(answer)
-    return judged
-
-
-def wedge_table(found: Sequence[Judged]) -> str:
-    """Each wedge whose edge is wrong, and a summary of all."""
-    scanned = [judged for judged in found if not judged.refused]
-    lines = [judged.line() for judged in scanned if judged.wrong]
-    if scanned:
-        all_of_them = np.concatenate([judged.distances for judged in scanned])
-        middle, most = np.percentile(all_of_them, [50, 95])
-        lines.append(
-            f"Distance of edge points in the standard deviations the scan states: median "
-            f"{middle:.2f}, 95 % {most:.2f} (true ones: 1.18, 2.45)."
-        )
-    wrong, elsewhere = (
-        sum(getattr(judged, name) for judged in scanned) for name in ("wrong", "elsewhere")
-    )
-    lines.append(
-        f"{len(found)} wedges: {len(found) - len(scanned)} refused, {wrong} farther off than "
-        f"stated, {elsewhere} of these somewhere else."
-    )
-    return "\n".join(lines)

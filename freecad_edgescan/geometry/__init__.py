@@ -5,8 +5,9 @@ from freecad_edgescan.geometry.bspline_curve import BSplineCurve
 from freecad_edgescan.geometry.circle import Circle, CircleFit, fit_circle
 from freecad_edgescan.geometry.curve_fit import fit_curve
 from freecad_edgescan.geometry.line import Line, LineFit, fit_line
+from freecad_edgescan.geometry.plane import Plane, fit_plane
 from freecad_edgescan.geometry.polyline import distance_to_polyline
-from freecad_edgescan.geometry.primitive_choice import simplest_curve
+from freecad_edgescan.geometry.primitive_choice import common_plane, simplest_curve
 
 __all__ = [
     "BSplineCurve",
@@ -14,9 +15,12 @@ __all__ = [
     "CircleFit",
     "Line",
     "LineFit",
+    "Plane",
+    "common_plane",
     "distance_to_polyline",
     "fit_circle",
     "fit_curve",
     "fit_line",
+    "fit_plane",
     "simplest_curve",
 ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Whether a straight line or a circle explains points as well as their sigma allows.
+"""Whether a line, a circle or a plane explains points of a curve as well as their sigma allows.
 
 A primitive is taken when nothing speaks against it: chi-square is within chance, and so are the
 mean residuals of stretches along it, which see a systematic misfit long before chi-square does.
@@ -15,9 +15,10 @@ from scipy.special import chdtri, ndtri
 
 from freecad_edgescan.geometry.circle import Circle, fit_circle
 from freecad_edgescan.geometry.line import Line, fit_line
+from freecad_edgescan.geometry.plane import Plane, fit_plane
 from freecad_edgescan.geometry.weighting import sigmas_of
 
-__all__ = ["simplest_curve"]
+__all__ = ["common_plane", "simplest_curve"]
 
 Array = NDArray[np.float64]
 
@@ -70,6 +71,33 @@ def simplest_curve(
     ):
         return fit.circle
     return None
+
+
+def common_plane(points: ArrayLike, covariance: ArrayLike, closed: bool = False) -> Plane | None:
+    """The plane in which all points of a curve lie, or None.
+
+    Parameters
+    ----------
+    points : (m, 3) array
+        In order along the curve, mm.
+    covariance : (m, 3, 3) array
+        Of each point, mm².
+    closed : bool
+        Whether the curve is closed.
+    """
+    x, spread = np.asarray(points, dtype=float), np.asarray(covariance, dtype=float)
+    if len(x) < 3:
+        return None
+    plane = fit_plane(x)
+    for _ in range(2):
+        across = np.einsum("i,mij,j->m", plane.normal, spread, plane.normal)
+        if not np.all(np.isfinite(across)):
+            return None
+        deviation = sigmas_of(x, np.sqrt(np.maximum(across, 0.0)))
+        plane = fit_plane(x, deviation)
+    # The tests are made for residuals in two directions across a curve; here there is one.
+    both = np.sqrt(2.0) * plane.residuals(x)
+    return plane if _explains(both, deviation, 2 * (len(x) - 3), closed) else None
 
 
 def _explains(residuals: Array, deviation: Array, freedom: int, closed: bool) -> bool:

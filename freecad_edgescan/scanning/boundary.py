@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ..cloud.point_cloud import PointCloud
+from ..cloud.point_cloud import PointCloud, require_surface
 from .automatic import MIN_ANGLE
 from .errors import ScanError
 from .parameters import ScanParameters
@@ -21,13 +21,13 @@ from .progress import Progress
 from .scan import scan_edge
 from .scanned_edge import ScannedEdge, Vertex
 from .start import numbers
-from .stop import Stop
 
 __all__ = ["scan_boundary"]
 
 Point = Sequence[float] | np.ndarray
-_Scan = Callable[[Point], ScannedEdge]
+_Scan = Callable[[Point], ScannedEdge | None]
 _MOST_EDGES = 200
+_FARTHEST = 10.0  # pitches from the cloud, of the place that tells the face
 _CLICKS = (10.0, 6.0, 3.5)  # pitches from the vertex, besides a rounding
 _AT_THE_VERTEX = 3.0  # pitches, besides a rounding, that an edge may begin off its vertex
 _SAME_EDGE = 2.0  # pitches, of the middle of an edge from one that was found before
@@ -51,7 +51,7 @@ def scan_boundary(
     at : a point near one of the edges, mm
     inside : a point on the face, mm; of the two sides of that edge it tells the face
     parameters, min_angle : of each scan; see `scan_edge`
-    progress : told about the edges as they are found; may cancel
+    progress : told about the edges as they are found; may cancel, and keeps those found so far
 
     Returns
     -------
@@ -61,23 +61,61 @@ def scan_boundary(
 
     Raises
     ------
-    ScanError: there is no edge near `at`, or `inside` is no place.
+    ScanError: there is no edge near `at`, or `inside` is no place on the cloud.
+    ValueError: a cloud without a surface.
     """
-    place = numbers(inside)
-    if place is None:
-        raise ScanError(f"The place inside is {inside!r}; give three finite coordinates in mm.")
+    require_surface(cloud)
+    place = _on_the_cloud(cloud, inside)
+    told = _Told(progress)
 
-    def scan(click: Point) -> ScannedEdge:
-        return scan_edge(cloud, click, None, parameters, None, min_angle, progress)
+    def scan(click: Point) -> ScannedEdge | None:
+        """The edge there; None where there is none, and nothing new once it is cancelled."""
+        if told.cancelled:
+            return None
+        try:
+            return scan_edge(cloud, click, None, parameters, None, min_angle, told)
+        except ScanError:
+            return None
 
-    first = _Bound.of(scan(at), place)
-    onward = _round_the_face(cloud, [first], scan)
-    if not _closes(onward, cloud.pitch) and not _cancelled(onward):
+    first = scan_edge(cloud, at, None, parameters, None, min_angle, told)
+    onward = _round_the_face(cloud, [_Bound.of(first, place)], scan)
+    if not _closes(onward, cloud.pitch):
         # From the other end, walked backwards, the face lies on the other hand.
         backward = _round_the_face(cloud, [bound.reversed() for bound in onward[::-1]], scan)
         onward = [bound.reversed() for bound in backward[::-1]]
     edges = [bound.edge for bound in onward]
     return _sharing_vertices(edges, _closes(onward, cloud.pitch))
+
+
+def _on_the_cloud(cloud: PointCloud, inside: Point) -> np.ndarray:
+    """The place that tells the face, (3,) mm.
+
+    Raises
+    ------
+    ScanError: it is none, or far from the cloud.
+    """
+    place = numbers(inside)
+    if place is None:
+        raise ScanError(f"The place inside is {inside!r}; give three finite coordinates in mm.")
+    distance = float(cloud.tree.query(place)[0])
+    if distance > _FARTHEST * cloud.pitch:
+        raise ScanError(
+            f"The place inside, {tuple(place.tolist())}, is {distance:.3g} mm away from the "
+            "nearest point of the cloud; choose one on the face."
+        )
+    return place
+
+
+class _Told:
+    """Passes on how far a scan is, and remembers that it was cancelled."""
+
+    def __init__(self, progress: Progress | None) -> None:
+        self.progress, self.cancelled = progress, False
+
+    def update(self, fraction: float, so_far: object) -> bool:
+        if self.progress is not None and not self.progress.update(fraction, so_far):
+            self.cancelled = True
+        return not self.cancelled
 
 
 @dataclass(frozen=True)
@@ -130,7 +168,7 @@ def _hand(edge: ScannedEdge, side: int, sign: float, j: int) -> float:
 def _round_the_face(cloud: PointCloud, bounds: list[_Bound], scan: _Scan) -> list[_Bound]:
     """Go on from the last edge until the boundary closes or cannot be followed."""
     while len(bounds) < _MOST_EDGES and not _closes(bounds, cloud.pitch):
-        following = None if _cancelled(bounds) else _following(cloud, bounds[-1], scan)
+        following = _following(cloud, bounds[-1], scan)
         if following is None or _known(following.edge, bounds, cloud.pitch):
             break
         bounds = [*bounds, following]
@@ -147,18 +185,13 @@ def _following(cloud: PointCloud, bound: _Bound, scan: _Scan) -> _Bound | None:
     for way in _ways(bound, third):
         for pitches in _CLICKS:
             click = vertex[0] + (pitches * cloud.pitch + 2.0 * rounded) * way
-            try:
-                found = scan(click)
-            except ScanError:
-                continue
-            for edge in (found, found.reversed()):
+            found = scan(click)
+            for edge in () if found is None else (found, found.reversed()):
                 off = min(np.linalg.norm(place - vertex[0]) for place in _starts(edge))
                 if off < tolerance and edge.tangents[0] @ way > _SAME_WAY:
                     following = bound.next_to(edge)
                     if following is not None:
                         return following
-            if found.stops[1] is Stop.CANCELLED:
-                return None
     return None
 
 
@@ -204,10 +237,6 @@ def _known(edge: ScannedEdge, bounds: list[_Bound], pitch: float) -> bool:
     )
 
 
-def _cancelled(bounds: list[_Bound]) -> bool:
-    return any(Stop.CANCELLED in bound.edge.stops for bound in bounds)
-
-
 def _sharing_vertices(edges: list[ScannedEdge], closed: bool) -> list[ScannedEdge]:
     """Each vertex as both of its edges know it together."""
     shared = list(edges)
@@ -225,8 +254,8 @@ def _sharing_vertices(edges: list[ScannedEdge], closed: bool) -> list[ScannedEdg
 def _together(one: Vertex, other: Vertex) -> Vertex:
     """The weighted mean of two estimates from the same three surfaces.
 
-    They share the surfaces' points, so that the mean is hardly known better than the better of
-    them, and its covariance is that of fully dependent estimates.
+    They share the surfaces' points. How much they depend on each other is not known; twice the
+    covariance of independent ones holds however much that is.
     """
     (a, covariance_a), (b, covariance_b) = one, other
     share = covariance_b @ np.linalg.pinv(covariance_a + covariance_b)

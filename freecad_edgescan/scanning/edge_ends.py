@@ -41,11 +41,15 @@ def walked_to_vertices(cloud: PointCloud, trace: Trace, settings: PatchSettings)
     """The same walk, led on to half a pitch before its vertices, or cut there."""
     stations = trace.stations
     for k, stop in enumerate(trace.stops):
-        if stop in _MAY_BE_CORNERS and len(stations) >= _FEWEST:
+        if _may_have_a_vertex(stop, settings) and len(stations) >= _FEWEST:
             outward = stations if k else [turned(station) for station in reversed(stations)]
             outward = _to_vertex(cloud, outward, settings)
             stations = outward if k else [turned(station) for station in reversed(outward)]
     return replace(trace, stations=stations)
+
+
+def _may_have_a_vertex(stop: Stop, settings: PatchSettings) -> bool:
+    return stop in _MAY_BE_CORNERS and not settings.probe_radius
 
 
 def _to_vertex(cloud: PointCloud, walked: list[Station], settings: PatchSettings) -> list[Station]:
@@ -120,7 +124,7 @@ def vertices_of(
     """The vertices in which a measured edge begins and ends."""
     start, end = (
         find_vertex(cloud, _end_of(measured, k, settings), settings.min_angle)
-        if stop in _MAY_BE_CORNERS and len(measured.at) >= _FEWEST
+        if _may_have_a_vertex(stop, settings) and len(measured.at) >= _FEWEST
         else None
         for k, stop in enumerate(stops)
     )

@@ -136,25 +136,7 @@ def _supplied_fits(
         more = sum(borrowed(own, path, step, reach) for step in steps)
         summed = summed + more / overlap
         width = wider
-        wide = fit(summed)
-        fits = SideFits(
-            reach,
-            *(
-                np.where(thin.reshape(thin.shape + (1,) * (new.ndim - 2)), new, old)
-                for new, old in (
-                    (getattr(wide, name), getattr(fits, name))
-                    for name in (
-                        "coefficients",
-                        "inverse",
-                        "variance",
-                        "count",
-                        "stretch",
-                        "accepted",
-                        "astray",
-                    )
-                )
-            ),
-        )
+        fits = fits.or_where(thin, fit(summed))
     return fits
 
 

@@ -30,10 +30,8 @@ def borrowed(own: np.ndarray, path: EdgePath, step: int, reach: float) -> np.nda
     reach : mm
     """
     there = np.isfinite(path.ahead(step))
-    return (
-        moved_moments(np.roll(own, -step, axis=0), _moves(path, step, reach))
-        * (there[:, None, None])
-    )
+    seen = moved_moments(np.roll(own, -step, axis=0), _moves(path, step, reach))
+    return seen * there[:, None, None]
 
 
 def _moves(path: EdgePath, step: int, reach: float) -> np.ndarray:

@@ -19,7 +19,6 @@ from .fillet import rounding_radius
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge, Vertex
 from .section import SectionPoints, frames_from_sides
-from .side_fit import SideFits
 from .stop import Stop
 from .trace import Trace
 from .vertex import FoundVertex
@@ -44,11 +43,11 @@ def finish_edge(
     ------
     ScanError: the cloud holds probe centres and nothing tells on which side the air is.
     """
-    settings, probe = chosen.settings, chosen.parameters.probe_radius or 0.0
+    settings = chosen.settings
     met = float(np.median([station.noise for station in trace.stations]))
     noise = max(met, 0.5 * settings.noise)
     path = path_along(
-        trace if probe else walked_to_vertices(cloud, trace, settings),
+        walked_to_vertices(cloud, trace, settings),
         settings.edge_pitch,
         least_pitch=1.5 * settings.cloud_pitch,
         chord_height=chosen.parameters.chord_height,
@@ -58,10 +57,8 @@ def finish_edge(
         measured = _without_unsupported_ends(measured, trace.stops, settings.cloud_pitch)
     if arrived is not None and trace.stops[1] is Stop.GATE:
         measured = select_sections(measured, until(arrived, measured.corners().point))
-    vertices: Vertices = (None, None)
-    if not probe:
-        vertices = vertices_of(cloud, measured, trace.stops, settings)
-        measured = _cut_at(vertices, measured)
+    vertices = vertices_of(cloud, measured, trace.stops, settings)
+    measured = _cut_at(vertices, measured)
     frames = measured.frames
     seen = measured.corners()
     rounding, rounding_sigma = rounding_radius(
@@ -74,6 +71,7 @@ def finish_edge(
         settings.cloud_pitch,
         trace.closed,
     )
+    probe = chosen.parameters.probe_radius or 0.0
     convex = _convex(chosen, seen.normals, rounding, rounding_sigma)
     edge = measured.corners(-probe if convex else probe) if probe else seen
     fillet, sigma = _fillet(rounding, rounding_sigma, probe, convex)
@@ -184,7 +182,6 @@ def _inside(sections: int) -> np.ndarray:
 
 def select_sections(measured: Measured, part: slice) -> Measured:
     """The same measurement of consecutive sections only."""
-    fits = measured.fits
     mine = (measured.points.owner >= part.start) & (measured.points.owner < part.stop)
     points = measured.points[mine]
     points = SectionPoints(
@@ -195,22 +192,12 @@ def select_sections(measured: Measured, part: slice) -> Measured:
         points.away,
         points.height,
     )
-    fits = SideFits(
-        fits.reach,
-        fits.coefficients[part],
-        fits.inverse[part],
-        fits.variance[part],
-        fits.count[part],
-        fits.stretch[part],
-        fits.accepted[part],
-        fits.astray[part],
-    )
     return replace(
         measured,
         frames=measured.frames[part],
         points=points,
         removed=measured.removed[mine],
-        fits=fits,
+        fits=measured.fits[part],
         noise=measured.noise[part],
         supplied=measured.supplied[part],
         at=measured.at[part],

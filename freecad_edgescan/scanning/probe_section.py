@@ -7,6 +7,8 @@ points of the walk are intermediate ones: the probe radius is taken off in a sec
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from .cmm import Cmm
@@ -18,6 +20,7 @@ from .probed_line import ProbedLine, measure_line
 from .probed_tangent import edge_tangent
 from .scan_plane import ScanPlane
 from .section import Frames, Station, frames_from_sides
+from .sharpness import UNKNOWN, Sharpness
 from .start import Start
 from .stop import Stop
 
@@ -79,6 +82,7 @@ class ProbeSection:
             raise TypeError("a probed scan goes on from a line")
         origin, tangent = predicted.origin[0], predicted.tangent[0]
         starts_on = self._stands_on(before, last)
+        narrow = self._known_sharp(before)
         target, contact = self._line_start(before, starts_on, predicted, last)
         plane = self._plane(origin, tangent, predicted, starts_on, target)
         sides = predicted.sides[0]
@@ -88,15 +92,15 @@ class ProbeSection:
             plane.direction(-sides[starts_on]),
             contact,
             plane.direction(sides[1 - starts_on]),
-            plane.coordinates(origin)[0] if self._known_sharp(before) else None,
+            plane.coordinates(origin)[0] if narrow else None,
         )
-        line = self._measured(scanned, plane, tangent, starts_on, before.sharp_for)
+        line = self._measured(scanned, plane, tangent, starts_on, before.sharpness, narrow)
         if isinstance(line, Stop):
             return Station(predicted, stop=line)
         safeguards = self.settings.safeguards
         point, sides = line.edge_point, line.rough_sides
         here = self._walked_on(line)
-        expected = here if self._known_sharp(before) else point
+        expected = here if narrow else point
         if safeguards.plausible and not self._plausible(expected, sides, predicted, last):
             return Station(predicted, stop=Stop.NO_EDGE)
         behind = self._back(last)
@@ -115,7 +119,7 @@ class ProbeSection:
         return line.bent_edge_point if self._known_sharp(line) else line.edge_point
 
     def _known_sharp(self, line: ProbedLine) -> bool:
-        return self.settings.safeguards.sharp_edge and line.sharp
+        return self.settings.safeguards.sharp_edge and line.sharpness.known
 
     def _plausible(
         self, point: np.ndarray, sides: np.ndarray, predicted: Frames, last: Station
@@ -234,7 +238,8 @@ class ProbeSection:
         plane: ScanPlane,
         tangent: np.ndarray,
         starts_on: int,
-        sharp_for: int = 0,
+        before: Sharpness = UNKNOWN,
+        narrow: bool = False,
     ) -> ProbedLine | Stop:
         if scanned.stop is not None and not (
             self.settings.safeguards.short_lines and len(scanned.contacts) >= _FEWEST_CONTACTS
@@ -248,10 +253,11 @@ class ProbeSection:
             starts_on,
             self.settings,
             plane.wedge * plane.inward if plane.wedge else None,
-            sharp_for,
+            narrow,
         )
         if isinstance(line, Stop):
             return scanned.stop or line
+        line = replace(line, sharpness=before.after(line.split_off))
         turn = np.pi - np.arccos(np.clip(line.rough_sides[0] @ line.rough_sides[1], -1.0, 1.0))
         return line if turn > self.settings.least_turn else Stop.NO_EDGE
 

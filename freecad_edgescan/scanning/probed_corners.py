@@ -11,7 +11,7 @@ own curve takes part, and its normals need no neighbours.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -114,11 +114,12 @@ def carried_lines(
         starts_on = 1 - line.ends_on
         across = line.rough_sides[line.ends_on] - line.rough_sides[starts_on]
         wedge = line.rough_sides.sum(axis=0)
-        before = line.sharp_for - 1
-        again = measure_line(contacts, origin, tangent, across, starts_on, settings, wedge, before)
+        again = measure_line(
+            contacts, origin, tangent, across, starts_on, settings, wedge, line.narrow
+        )
         if isinstance(again, Stop) or np.linalg.norm(again.edge_point - line.edge_point) > apart:
             again = line
-        carried.append(again)
+        carried.append(replace(again, sharpness=line.sharpness))
     agreed = settings.safeguards.agreed_cleaning and settings.degree > 1
     if not agreed or len(lines) < _FEWEST_LINES:
         return carried

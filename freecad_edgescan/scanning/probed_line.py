@@ -15,15 +15,12 @@ import numpy as np
 from ..geometry.polynomial_curve import meeting_parameters
 from .line_section import LineSection, line_section
 from .probe_settings import ProbeSettings
+from .sharpness import MISSED, UNKNOWN, Sharpness
 from .stop import Stop
 
 __all__ = ["ProbedLine", "farthest_from_chord", "measure_line", "without_rounding"]
 
-_LINES_TO_KNOW = 6  # in sequence without a rounding, for its edge to be known as sharp
-_LOOK_AGAIN = 24  # lines after it turned out that a rounding had been missed
 _CLEAR = 0.6  # line pitches from the edge, within which there are contacts only where it is narrow
-_MISSED = 0.1  # line pitches that narrow contacts lie off the sides when they are on a rounding
-_ROUNDED = 0.02  # line pitches that the point at a rounding lies off the sides, at least
 _AS_WELL = 1.5  # times what a section's own points lie off its curve, at most
 _EXACT = 1e-6  # line pitches
 _DRAWN_OUT = 1.5  # of a section's length: how far its curve stands for the surface
@@ -43,8 +40,9 @@ class ProbedLine:
     sections : on the two surfaces of the edge, always in the same order
     meeting : parameters of the two curves where they meet
     ends_on : which of the two surfaces the line ended on
-    sharp_for : lines in sequence, up to this one, that showed no rounding; less than none, after
-        they were mistaken
+    narrow : whether it was scanned over an edge known as sharp, with contacts close to it
+    split_off : line pitches that the point it was split at lies beside the nearer section
+    sharpness : what this line and those before it have shown of the edge
     """
 
     contacts: np.ndarray
@@ -55,7 +53,9 @@ class ProbedLine:
     sections: tuple[LineSection, LineSection]
     meeting: tuple[float, float]
     ends_on: int
-    sharp_for: int = 0
+    narrow: bool = False
+    split_off: float = np.inf
+    sharpness: Sharpness = UNKNOWN
 
     def place(self, xy: np.ndarray) -> np.ndarray:
         """Points (…, 3) mm where the line ran, at coordinates (…, 2) of the plane."""
@@ -87,11 +87,6 @@ class ProbedLine:
         return float(steps.sum() + 0.5 * np.linalg.norm(own[-1] - other[-1]))
 
     @property
-    def sharp(self) -> bool:
-        """Whether the edge is known to have no rounding."""
-        return self.sharp_for >= _LINES_TO_KNOW
-
-    @property
     def bent_edge_point(self) -> np.ndarray:
         """Where curves of a higher degree meet, (3,) mm; without a rounding they come closer."""
         first, second = (section.leading_curve() for section in self.sections)
@@ -118,7 +113,7 @@ def measure_line(
     starts_on: int,
     settings: ProbeSettings,
     wedge: np.ndarray | None = None,
-    sharp_for: int = 0,
+    narrow: bool = False,
 ) -> ProbedLine | Stop:
     """Find the edge on a scanned line.
 
@@ -130,7 +125,7 @@ def measure_line(
     across : (3,) unit vector in the direction of travel
     starts_on : which of the two surfaces the line begins on
     wedge : (3,) a direction into the smaller wedge of the two surfaces, when it is known
-    sharp_for : of the line before this one
+    narrow : whether the edge was known as sharp, and contacts were taken close to it
 
     Returns
     -------
@@ -160,10 +155,9 @@ def measure_line(
     ways = [0.0]
     if settings.safeguards.signed_split:
         ways = [1.0, -1.0] if wedge is None else [1.0 if wedge @ axes[1] > 0.0 else -1.0]
-    sharp = settings.safeguards.sharp_edge and sharp_for >= _LINES_TO_KNOW
     found: list[_Halves] = []
     for way in ways:
-        halves = _halves(points, farthest_from_chord(points, way), settings, sharp)
+        halves = _halves(points, farthest_from_chord(points, way), settings, narrow)
         if halves is not None:
             found.append(halves)
     if not found:
@@ -178,44 +172,45 @@ def measure_line(
     if settings.safeguards.slide:
         edge_at = first.curve.at(met[0])[0]
         drift = _drift(points[:, 0], offset @ normal, float(edge_at))
-    again = best.off <= _ROUNDED * settings.line_pitch
-    if sharp and best.off > _MISSED * settings.line_pitch:
+    off = best.off / settings.line_pitch
+    if narrow and off > MISSED:
         # The contacts that have shown the rounding lie on it.
-        split = points[best.split]
-        (clear,) = np.nonzero(np.linalg.norm(points - split, axis=1) > _CLEAR * settings.line_pitch)
-        line = measure_line(
-            contacts[clear], origin, tangent, across, starts_on, settings, wedge, -_LOOK_AGAIN - 1
-        )
-        return line if isinstance(line, Stop) else _of_all_contacts(line, contacts, clear)
-    sharp_for = sharp_for + 1 if again or sharp_for < 0 else 0
+        aside = np.linalg.norm(points - points[best.split], axis=1)
+        (clear,) = np.nonzero(aside > _CLEAR * settings.line_pitch)
+        line = measure_line(contacts[clear], origin, tangent, across, starts_on, settings, wedge)
+        return line if isinstance(line, Stop) else _of_all_contacts(line, contacts, clear, off)
     sections = first, second
     return ProbedLine(
-        contacts, origin, axes, normal, drift, sections, met, 1 - starts_on, sharp_for
+        contacts, origin, axes, normal, drift, sections, met, 1 - starts_on, narrow, off
     )
 
 
-def _of_all_contacts(line: ProbedLine, contacts: np.ndarray, used: np.ndarray) -> ProbedLine:
-    """A line that was measured with some of its contacts only."""
+def _of_all_contacts(
+    line: ProbedLine, contacts: np.ndarray, used: np.ndarray, off: float
+) -> ProbedLine:
+    """A narrow line that was measured with some of its contacts only."""
     first, second = (replace(section, contacts=used[section.contacts]) for section in line.sections)
-    return replace(line, contacts=contacts, sections=(first, second))
+    return replace(line, contacts=contacts, sections=(first, second), narrow=True, split_off=off)
 
 
 @dataclass(frozen=True)
 class _Halves:
     """Both sections of a split line, where they meet, and how far from the split that is.
 
-    `off` is how far the point it is split at lies beside the section that leads to it.
+    `split` is the number of the point it is split at, `off` how far (mm) that one lies beside the
+    section that leads to it.
     """
 
     split: int
-
     sections: tuple[LineSection, LineSection]
     meeting: tuple[float, float] | None
     miss: float
     off: float
 
 
-def _halves(points: np.ndarray, split: int, settings: ProbeSettings, sharp: bool) -> _Halves | None:
+def _halves(
+    points: np.ndarray, split: int, settings: ProbeSettings, narrow: bool
+) -> _Halves | None:
     order = np.arange(len(points))
     sections = []
     for part in (order[:split], order[:split:-1]):
@@ -225,7 +220,7 @@ def _halves(points: np.ndarray, split: int, settings: ProbeSettings, sharp: bool
         sections.append(section)
     beside = [section.lead_to(points[split]) for section in sections]
     k = int(np.argmin(beside))
-    if sharp:
+    if narrow:
         sections[k] = _with_split(sections[k], beside[k], split, points[split], settings)
     first, second = sections
     met = meeting_parameters(first.curve, second.curve)

@@ -64,11 +64,10 @@ class Safeguards:
         ahead, instead of wherever the line before has ended (Schreve figures 4.5 and 4.14); the
         plane of a zigzag line holds the bisector of the two surfaces, so that the line gets on
         as far behind the edge as before it
-    sharp_edge : for an edge that is known to have no rounding, so that contacts close to it are of
-        use: the gap in which it is expected is filled in to half a line pitch, the point a line is
-        split at is kept, and a line has its length along the surface, to half a line pitch. Then
-        the error without noise is that of the model. Beside a rounding it lets in more of what
-        lies on it, and is off
+    sharp_edge : once several lines have shown no rounding, contacts close to the edge are of use:
+        the gap in which it is expected is filled in to half a line pitch, the point a line is split
+        at is kept, and a line has its length along the surface, to half a line pitch. Then the
+        error without noise is that of the model. A line that shows a rounding ends it
     """
 
     slide: bool = True

@@ -92,21 +92,17 @@ class ScanLines:
 
     def reversed(self) -> ScanLines:
         """The same sections, walked the other way."""
-        fits, points = self.fits, self.points
-        backward = np.array([1.0, 1.0, 1.0, -1.0])  # the sides' drift along the edge turns round
+        fits, points = self.fits[::-1], self.points
+        # The sides' drift along the edge turns round.
+        turn = np.array([1.0, 1.0, 1.0, -1.0])
         return ScanLines(
             self.frames.backward(),
             replace(points, owner=len(self) - 1 - points.owner, along=-points.along),
             self.removed,
-            SideFits(
-                fits.reach,
-                fits.coefficients[::-1] * backward,
-                fits.inverse[::-1] * np.outer(backward, backward),
-                fits.variance[::-1],
-                fits.count[::-1],
-                fits.stretch[::-1],
-                fits.accepted[::-1],
-                fits.astray[::-1],
+            replace(
+                fits,
+                coefficients=fits.coefficients * turn,
+                inverse=fits.inverse * np.outer(turn, turn),
             ),
             self.meeting_points[::-1],
             self.edge_points[::-1],

@@ -124,15 +124,22 @@ class ScannedEdge:
     def curve(self, tolerance: float | None = None) -> BSplineCurve:
         """Weighted cubic B-spline in as few poles as explain the points.
 
+        It lies in a plane when one explains the points as well: most edges bound a plane face, and
+        what leaves the plane is noise, in which sweeps would turn.
+
         Parameters
         ----------
         tolerance : largest distance of an edge point, mm; None: poles are added until the rms of
             residual/sigma is at most 1
         """
-        from ..geometry import fit_curve
+        from ..geometry import common_plane, fit_curve
 
+        points = self.points
+        if tolerance is None:
+            plane = common_plane(points, self.covariance_3d, closed=self.closed)
+            points = points if plane is None else points - plane.residuals(points)
         return fit_curve(
-            self.points,
+            points,
             self.sigma,
             covariance=self.covariance_3d,
             closed=self.closed,

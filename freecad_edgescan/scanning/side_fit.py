@@ -14,7 +14,7 @@ order one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from scipy import sparse
@@ -78,6 +78,27 @@ class SideFits:
     stretch: np.ndarray
     accepted: np.ndarray
     astray: np.ndarray
+
+    def __getitem__(self, part: slice) -> SideFits:
+        """Return the fits of some sections; a negative step puts them into the other order."""
+        return self._with({name: array[part] for name, array in self._arrays().items()})
+
+    def or_where(self, chosen: np.ndarray, other: SideFits) -> SideFits:
+        """These fits, and another's where chosen (m, 2)."""
+        return self._with(
+            {
+                name: np.where(chosen.reshape(chosen.shape + (1,) * (new.ndim - 2)), new, old)
+                for (name, old), new in zip(
+                    self._arrays().items(), other._arrays().values(), strict=True
+                )
+            }
+        )
+
+    def _arrays(self) -> dict[str, np.ndarray]:
+        return {each.name: getattr(self, each.name) for each in fields(self)[1:]}
+
+    def _with(self, arrays: dict[str, np.ndarray]) -> SideFits:
+        return SideFits(self.reach, **arrays)
 
     @property
     def begins(self) -> np.ndarray:

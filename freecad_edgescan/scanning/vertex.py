@@ -14,6 +14,7 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from .evened import one_per_cell
+from .local_surface import LocalSurface, fit_local_surface
 from .section import Frames, section_points
 from .shared_planes import normals_of, shared_planes
 
@@ -23,8 +24,6 @@ _BALL = 12.0  # pitches round the end, besides a rounding, in which a third surf
 _FEWEST = 15  # points of a third surface
 _FLATTEST = 0.25  # sine of the angle of the edge to a third surface, at least
 _SHORT, _FAR = 4.0, 6.0  # pitches before and behind the last edge point for a vertex
-_MOST_OFF = 3.5  # standard deviations
-_TRIMS = 3
 _IN_COMMON = 0.5  # of an edge point's variance, that its neighbours share and no mean makes less
 _CUT = 0.2  # sine, of the angle between a third surface and a side it is told from
 
@@ -102,9 +101,11 @@ def find_vertex(
         if not -_SHORT * cloud.pitch - rounded < at < far:
             continue
         # A surface that a side cuts at an angle is clear of it where it lies off it.
-        cuts = np.abs(end.frame.normals[0] @ normal) < 1.0 - _CUT**2
+        cuts = np.abs(end.frame.normals[0] @ normal) < np.sqrt(1.0 - _CUT**2)
         room = np.all((np.abs(heights) > clear) | ~cuts, axis=1)
-        surface = _fitted(points[room], normal, edge.at(at), radius, end.noise, cloud.pitch)
+        surface = fit_local_surface(
+            points[room], normal, edge.at(at), radius, end.noise, cloud.pitch
+        )
         if surface is None:
             continue
         found = _cut(edge, surface, at, radius)
@@ -152,41 +153,6 @@ class _DrawnOut:
         return self.spread * (self.overlap * leverage + _IN_COMMON)
 
 
-@dataclass(frozen=True)
-class _Surface:
-    """height = c · (1, x, y, x²/2, xy, y²/2) over a plane, or the first three terms of it."""
-
-    origin: np.ndarray
-    axes: np.ndarray
-    coefficients: np.ndarray
-    inverse: np.ndarray
-    variance: float
-
-    def height(self, point: np.ndarray) -> float:
-        """Of a point above the surface, along the plane's normal."""
-        x, y, n = self.axes @ (point - self.origin)
-        return float(n - _terms(np.array([[x, y]]), len(self.coefficients))[0] @ self.coefficients)
-
-    def normal(self, point: np.ndarray) -> np.ndarray:
-        x, y, _ = self.axes @ (point - self.origin)
-        c = np.zeros(6)
-        c[: len(self.coefficients)] = self.coefficients
-        slope = np.array([c[1] + c[3] * x + c[4] * y, c[2] + c[4] * x + c[5] * y])
-        normal = self.axes[2] - slope @ self.axes[:2]
-        return np.asarray(normal / np.linalg.norm(normal))
-
-    def uncertainty(self, point: np.ndarray) -> float:
-        """Variance of the surface's height at a point, mm²."""
-        terms = _terms((self.axes @ (point - self.origin))[None, :2], len(self.coefficients))[0]
-        return float(self.variance * (terms @ self.inverse @ terms))
-
-
-def _terms(xy: np.ndarray, count: int) -> np.ndarray:
-    x, y = xy.T
-    every = [np.ones_like(x), x, y, 0.5 * x**2, x * y, 0.5 * y**2]
-    return np.stack(every[:count], axis=1)
-
-
 def _over_sides(frame: Frames, points: np.ndarray) -> np.ndarray:
     """Heights (n, 2) over both sides, drawn out to all sides, mm."""
     offset = points - frame.origin[0]
@@ -208,44 +174,7 @@ def _foreign(cloud: PointCloud, end: EdgeEnd, index: np.ndarray, points: np.ndar
     return foreign
 
 
-def _fitted(
-    points: np.ndarray,
-    normal: np.ndarray,
-    origin: np.ndarray,
-    radius: float,
-    noise: float,
-    pitch: float,
-) -> _Surface | None:
-    """A plane, or a quadratic where that is clearly better, through what lies near a plane."""
-    across = np.linalg.svd(normal[None])[2]
-    axes = np.vstack([across[1:], normal])
-    local = (points - origin) @ axes.T
-    away = np.hypot(local[:, 0], local[:, 1])
-    near = (away < radius) & (np.abs(local[:, 2]) < 4.0 * noise + 0.1 * pitch + 0.1 * away)
-    best: tuple[float, _Surface] | None = None
-    for count in (3, 6):
-        used = near
-        for _ in range(_TRIMS):
-            if np.count_nonzero(used) < max(_FEWEST, 2 * count):
-                break
-            terms = _terms(local[:, :2], count)
-            inverse = np.linalg.pinv(terms[used].T @ terms[used])
-            c = inverse @ (terms[used].T @ local[used, 2])
-            off = local[:, 2] - terms @ c
-            freedom = np.count_nonzero(used) - count
-            variance = float(np.square(off[used]).sum()) / freedom
-            allowed = _MOST_OFF * np.sqrt(max(variance, (0.5 * noise) ** 2))
-            surface = _Surface(origin, axes, c, inverse, variance)
-            # The better of two models by Schwarz' criterion, on points of the same kind.
-            worth = freedom * np.log(max(variance, 1e-18)) + count * np.log(freedom)
-            used = near & (np.abs(off) <= allowed)
-        else:
-            if best is None or worth < best[0]:
-                best = worth, surface
-    return None if best is None else best[1]
-
-
-def _cut(edge: _DrawnOut, surface: _Surface, at: float, radius: float) -> FoundVertex | None:
+def _cut(edge: _DrawnOut, surface: LocalSurface, at: float, radius: float) -> FoundVertex | None:
     """Where the edge, drawn out, meets a surface within a radius from its end."""
     for _ in range(8):
         point, way = edge.at(at), edge.way(at)

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from freecad_edgescan.geometry import Circle, Line, simplest_curve
+from freecad_edgescan.geometry import Circle, Line, common_plane, simplest_curve
 
 SIGMA = 0.02
 
@@ -90,3 +90,58 @@ def test_somewhat_too_small_sigmas_do_not_hide_a_line():
 def test_two_points_are_a_line_and_equal_points_are_nothing():
     assert isinstance(simplest_curve([[0, 0, 0], [1, 2, 3]], SIGMA), Line)
     assert simplest_curve(np.ones((10, 3)), SIGMA) is None
+
+
+# ---------------------------------------------------------------- a common plane
+
+
+def meander(count, out_of_plane=0.0):
+    """A curve that bends both ways, and leaves its plane along a slow wave, mm."""
+    u = np.linspace(0.0, 2.0 * np.pi, count)
+    return np.column_stack([10.0 * u, 8.0 * np.sin(u), out_of_plane * np.sin(1.5 * u)])
+
+
+def planes(truth, alike=1, trials=100, closed=False):
+    covariance = np.tile(SIGMA**2 * np.eye(3), (len(truth), 1, 1))
+    return [
+        common_plane(truth + noise(len(truth), seed, alike), covariance, closed)
+        for seed in range(trials)
+    ]
+
+
+@pytest.mark.parametrize("alike", [1, 5, 20])
+@pytest.mark.parametrize("count", [3, 10, 100, 400])
+def test_a_plane_curve_has_a_plane(count, alike):
+    found = planes(meander(count), alike)
+    assert sum(plane is not None for plane in found) >= 99
+    if count >= 100:
+        assert all(abs(plane.normal[2]) > 0.999 for plane in found if plane is not None)
+
+
+@pytest.mark.parametrize("count", [100, 400])
+def test_a_curve_that_leaves_its_plane_by_a_few_sigma_has_none(count):
+    assert all(plane is None for plane in planes(meander(count, 4.0 * SIGMA)))
+    assert all(plane is None for plane in planes(meander(count, 1.0)))
+
+
+def test_a_closed_plane_curve_has_a_plane():
+    assert all(
+        plane is not None for plane in planes(arc(101, 30.0, 60.0 * np.pi)[:-1], closed=True)
+    )
+
+
+def test_what_is_known_badly_out_of_the_plane_does_not_forbid_it():
+    """An edge point may be known ten times worse in one direction across the edge."""
+    truth = meander(200)
+    off = noise(200, 1) * [1.0, 1.0, 10.0]
+    even, true = np.diag([1.0, 1.0, 1.0]), np.diag([1.0, 1.0, 100.0])
+    assert common_plane(truth + off, np.tile(SIGMA**2 * even, (200, 1, 1))) is None
+    assert common_plane(truth + off, np.tile(SIGMA**2 * true, (200, 1, 1))) is not None
+
+
+def test_exact_points_and_unknown_ones():
+    none = np.zeros((50, 3, 3))
+    assert common_plane(meander(50), none) is not None
+    assert common_plane(meander(50, 0.1), none) is None
+    assert common_plane(meander(50), np.full((50, 3, 3), np.nan)) is None
+    assert common_plane(meander(2), none[:2]) is None

@@ -153,26 +153,37 @@ def test_an_open_boundary_has_the_edges_that_can_be_followed():
     assert middle == pytest.approx([0.0, 8.0, 12.0], abs=1.0)
 
 
-def test_the_place_inside_must_be_one():
-    with pytest.raises(ScanError, match="place inside"):
-        scan_boundary(box(1), place(1, 10, 0, 12), (0.0, np.nan, 1.0))
+@pytest.mark.parametrize(
+    ("inside", "words"),
+    [((0.0, np.nan, 1.0), "three finite coordinates"), ((0.0, 900.0, 0.0), "nearest point")],
+)
+def test_the_place_inside_must_be_one_on_the_cloud(inside, words):
+    with pytest.raises(ScanError, match=words):
+        scan_boundary(box(1), place(1, 10, 0, 12), inside)
 
 
-class Once:
-    """Cancels the second time it is told."""
+class Until:
+    """Cancels when it is told so many times, and goes on saying so."""
 
-    def __init__(self) -> None:
-        self.told = 0
+    def __init__(self, times) -> None:
+        self.times, self.told = times, 0
 
     def update(self, fraction: float, so_far: object) -> bool:
         self.told += 1
-        return self.told < 2
+        return self.told < self.times
 
 
-def test_a_cancelled_boundary_keeps_what_was_found():
-    edges = scan_boundary(box(3), place(3, 10, 0, 12), place(3, 10, 8, 12), progress=Once())
-    assert Stop.CANCELLED in edges[-1].stops
-    assert len(edges[-1]) >= 1
+@pytest.mark.parametrize("times", [1, 2, 4, 6])
+def test_a_cancelled_boundary_keeps_what_was_found_and_looks_no_further(times):
+    progress = Until(times)
+    edges = scan_boundary(box(3), place(3, 10, 0, 12), place(3, 10, 8, 12), progress=progress)
+    # Who has cancelled is not asked again, whichever edge it was in.
+    assert progress.told == times
+    assert 1 <= len(edges) <= (times + 3) // 2
+    assert len(edges[0]) >= 1
+    whole = scan_boundary(box(3), place(3, 10, 0, 12), place(3, 10, 8, 12))
+    if times > 2:
+        assert edges[0].points == pytest.approx(whole[0].points)
 
 
 def test_a_reversed_edge_is_the_same_edge():

@@ -356,7 +356,7 @@ def test_edge_points_are_off_as_curves_through_the_same_points_of_arcs_are(
 def test_no_line_over_a_rounding_is_taken_for_one_over_a_sharp_edge(degree):
     torus = TorusObject(20.0, 100.0, ANGLE, 0.5, 0.5)
     edge = scanned(torus, lines=20.0, side=6.0, points=8, degree=degree, tolerance=20.0)
-    assert not any(line.sharp for line in edge.scan_lines.lines)
+    assert not any(line.sharpness.known for line in edge.scan_lines.lines)
 
 
 # ---------------------------------------------------------------- steps in a bend

@@ -11,7 +11,6 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from freecad_edgescan.scanning import ScanParameters, Stop
-from freecad_edgescan.scanning.line_section import clean
 from freecad_edgescan.scanning.probe_settings import ProbeSettings
 from freecad_edgescan.scanning.probed_line import (
     farthest_from_chord,
@@ -83,92 +82,6 @@ def test_a_belly_farther_from_the_chord_than_the_edge_is_not_taken_for_it(mirror
     assert farthest_from_chord(points, wedge) == edge
 
 
-# ---------------------------------------------------------------- cleaning
-
-
-def rounded_side(straight=12, pitch=0.5, radius=3.0, turn=0.9):
-    """Points along a straight side and on along the exact rounding, the last nearest the edge."""
-    a = np.arange(1, int(turn * radius / pitch) + 1) * pitch / radius
-    end = (straight - 1) * pitch
-    side = np.stack([np.arange(straight) * pitch, np.zeros(straight)], axis=1)
-    bend = np.stack([end + radius * np.sin(a), -radius * (1.0 - np.cos(a))], axis=1)
-    return np.vstack([side, bend])
-
-
-def distances(curve, points):
-    """Distances of points from a curve, by looking at very many of its points."""
-    dense = curve.at(np.linspace(-0.3, 1.3, 16001))
-    return np.array([np.sqrt(((dense - p) ** 2).sum(axis=1).min()) for p in points])
-
-
-def worst_of_own_fit(points, degree):
-    """Largest distance of points from the curve of Schreve eq. 4.3.4.1 through them."""
-    if degree == 1:
-        centred = points - points.mean(axis=0)
-        return np.abs(centred @ np.linalg.svd(centred)[2][1]).max()
-    u = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1)))
-    u /= u[-1]
-    dense = np.linspace(-0.2, 1.2, 14001)
-    curve = np.stack([np.polyval(np.polyfit(u, axis, degree), dense) for axis in points.T], axis=1)
-    return max(np.sqrt(((curve - p) ** 2).sum(axis=1).min()) for p in points)
-
-
-@pytest.mark.parametrize("degree", DEGREES)
-def test_a_small_tolerance_leaves_the_straight_side_and_nothing_of_the_rounding(degree):
-    points = rounded_side(straight=12)
-    curve, count = clean(points, degree, 1e-5)
-    assert count == 12
-    assert curve.at(np.array([0.0, 0.5, 1.0, 1.4]))[:, 1] == pytest.approx(0.0, abs=1e-12)
-
-
-@pytest.mark.parametrize("tolerance", [0.002, 0.01, 0.03, 0.07])
-@pytest.mark.parametrize("degree", DEGREES)
-def test_as_many_points_are_kept_as_lie_within_the_tolerance(degree, tolerance):
-    points = rounded_side(turn=1.4)
-    curve, count = clean(points, degree, tolerance)
-    assert distances(curve, points[:count]).max() <= tolerance + 1e-5
-    assert 12 <= count < len(points)
-    assert worst_of_own_fit(points[: count + 1], degree) > tolerance
-
-
-@pytest.mark.parametrize("degree", DEGREES)
-def test_a_side_without_a_rounding_is_kept_whole(degree):
-    rng = np.random.default_rng(7)
-    points = np.stack([np.arange(14) * 0.5, 0.01 * rng.uniform(-1.0, 1.0, 14)], axis=1)
-    assert clean(points, degree, 0.03)[1] == 14
-
-
-@pytest.mark.parametrize("spare", [False, True])
-@pytest.mark.parametrize("seed", range(4))
-@pytest.mark.parametrize("degree", DEGREES)
-def test_never_fewer_points_are_kept_than_the_curve_needs(degree, seed, spare):
-    """One more than the degree (erratum: Schreve 4.3.3 says as many as the degree)."""
-    rng = np.random.default_rng(seed)
-    points = np.stack([np.arange(10) * 0.5, 0.2 * rng.normal(size=10)], axis=1)
-    curve, count = clean(points, degree, 1e-7, spare)
-    assert count >= degree + 1
-    assert curve.degree == degree
-    if not spare:
-        assert count == degree + 1
-        assert distances(curve, points[:count]).max() < 1e-3
-
-
-@pytest.mark.parametrize("degree", DEGREES)
-def test_spare_changes_nothing_where_the_tolerance_can_be_held(degree):
-    points = rounded_side()
-    assert clean(points, degree, 0.01, True)[1] == clean(points, degree, 0.01, False)[1]
-
-
-@pytest.mark.parametrize("rounded", [False, True])
-@pytest.mark.parametrize("degree", DEGREES)
-def test_spare_points_are_kept_where_the_tolerance_is_below_the_noise(degree, rounded):
-    """Noise that is the same everywhere: giving up good points never makes the curve fit better."""
-    points = rounded_side(12) if rounded else rounded_side(17, turn=0.0)
-    points = points + 0.03 * np.outer((-1.0) ** np.arange(17), [0.0, 1.0])
-    count = clean(points, degree, 0.001, True)[1]
-    assert (8 <= count <= 14) if rounded else (count >= 8)
-
-
 # ---------------------------------------------------------------- a whole line
 
 
@@ -208,12 +121,12 @@ class Wedge:
         """Points (n, 3) at coordinates across and out of the smaller wedge."""
         return self.edge + xy @ np.array([self.frame[1], -self.frame[2]])
 
-    def measure(self, contacts, starts_on=0, beside=0.3, sharp_for=0, **values):
+    def measure(self, contacts, starts_on=0, beside=0.3, narrow=False, **values):
         tangent, across, inward = self.frame
         way = across if starts_on == 0 else -across
         origin = self.edge + beside * across + 0.2 * tangent  # where the edge was predicted
         return measure_line(
-            contacts, origin, tangent, way, starts_on, settings(**values), inward, sharp_for
+            contacts, origin, tangent, way, starts_on, settings(**values), inward, narrow
         )
 
     def off(self, point):
@@ -239,15 +152,11 @@ def test_plane_sides_meet_in_the_edge(angle, degree, literal):
     assert all(section.kept.all() for section in line.sections)
 
 
-KNOWN = 6  # lines that showed no rounding
-
-
 @pytest.mark.parametrize("beside", [0.1, 0.3])
 @pytest.mark.parametrize("angle", ANGLES)
 def test_on_an_edge_known_to_be_sharp_the_farthest_point_stays_on_its_side(angle, beside):
     wedge, away = Wedge(angle), np.arange(-4.9, 5.0, 0.5) + beside
-    line = wedge.measure(wedge.contacts(away), degree=2, sharp_for=KNOWN)
-    assert line.sharp
+    line = wedge.measure(wedge.contacts(away), degree=2, narrow=True)
     for k, section in enumerate(line.sections):
         assert sorted(section.contacts) == sorted(np.flatnonzero(np.sign(away) == 2 * k - 1))
         gap = np.hypot(*(line.sections[0].points[-1] - line.sections[1].points[-1]))
@@ -256,30 +165,30 @@ def test_on_an_edge_known_to_be_sharp_the_farthest_point_stays_on_its_side(angle
 
 
 @pytest.mark.parametrize("curved", [False, True], ids=["flat sides", "curved sides"])
-def test_it_takes_six_lines_without_a_rounding_to_know_a_sharp_edge(curved):
+def test_the_farthest_point_of_a_sharp_edge_lies_on_a_side(curved):
     wedge = Wedge(np.radians(100.0))
     contacts = wedge.contacts(BOTH_SIDES)
     if curved:
         side = arc_from_edge(wedge.angle / 2 - np.pi / 2, 12.0, 5.0, 0.5)
         contacts = wedge.in_section(np.vstack([side[::-1] * [-1.0, 1.0], [[0.0, 0.0]], side]))
-    for before in range(8):
-        line = wedge.measure(contacts, degree=2, tolerance=1.0, sharp_for=before)
-        assert line.sharp_for == before + 1
-        assert line.sharp == (before + 1 >= KNOWN)
+    for narrow in (False, True):
+        line = wedge.measure(contacts, degree=2, tolerance=1.0, narrow=narrow)
+        assert line.split_off < (0.01 if curved else 1e-6)
         left_out = len(contacts) - sum(len(section.contacts) for section in line.sections)
-        assert left_out == (0 if before >= KNOWN else 1)
+        assert left_out == (0 if narrow else 1)
 
 
-@pytest.mark.parametrize("before", [0, KNOWN])
+@pytest.mark.parametrize("narrow", [False, True])
 @pytest.mark.parametrize("radius", [0.3, 1.2])
-def test_a_farthest_point_on_a_rounding_is_given_up_even_within_the_tolerance(radius, before):
+def test_a_farthest_point_on_a_rounding_is_given_up_even_within_the_tolerance(radius, narrow):
     wedge = Wedge(np.radians(100.0))
     contacts, away = filleted(wedge, radius)
-    line = wedge.measure(contacts, degree=2, tolerance=1.0, sharp_for=before)
-    assert line.sharp_for <= 0
-    assert not line.sharp
+    line = wedge.measure(contacts, degree=2, tolerance=1.0, narrow=narrow)
+    # How far the top of a circle in the wedge stands off the sides drawn out, in line pitches.
+    assert line.split_off > 0.3 * radius * (1.0 - np.sin(0.5 * wedge.angle)) / 0.5
     farthest = np.abs(away).argmin()
     assert all(farthest not in section.contacts for section in line.sections)
+    assert len(line.contacts) == len(contacts)
 
 
 @pytest.mark.parametrize("starts_on", [0, 1])
@@ -332,7 +241,7 @@ def test_curved_sides_give_up_points_far_from_the_edge_and_the_printed_algorithm
     for section, other in zip(line.sections, printed.sections, strict=True):
         assert section.kept[-1] and not section.kept[0]
         assert other.kept[0] and not other.kept[-1]
-        assert distances(section.curve, section.points[section.kept]).max() <= 0.02 + 1e-5
+        assert np.abs(section.residuals()).max() <= 0.02 + 1e-5
     assert wedge.off(line.edge_point) < 0.3 * wedge.off(printed.edge_point)
 
 

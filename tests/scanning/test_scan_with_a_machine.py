@@ -6,7 +6,6 @@ import pytest
 
 from freecad_edgescan.scanning import (
     Gate,
-    Safeguards,
     ScanError,
     ScanParameters,
     Start,
@@ -180,7 +179,7 @@ def test_the_machine_is_led_as_the_parameters_say():
         far_from_the_edge = np.append(steps[1:3], steps[-2:])
         assert np.all(far_from_the_edge > 0.75 * 0.8)
         assert np.all(far_from_the_edge < 1.01 * 0.8)
-        short = 0.5 * 0.8 if line.sharp else 0.0
+        short = 0.5 * 0.8 if line.narrow else 0.0
         assert 8.0 - short <= steps.sum() < 8.0 + 3 * 0.8
 
 
@@ -429,29 +428,6 @@ def test_a_collision_is_measured_again():
     assert machine.collisions > 10
     assert edge.stops[1] is Stop.GATE
     assert off_the_edge(edge).max() < 1e-6
-
-
-@pytest.mark.parametrize(
-    ("values", "words"),
-    [
-        ({"smoothing": float("nan")}, "'smoothing' is nan; give a number from 0 to 0.99"),
-        ({"coasting": -2}, "'coasting' is -2; give a number from 0 to 100"),
-        ({"largest_turn": 4.0}, "'largest turn' is 4.0"),
-        ({"slide": 1}, "'slide' is 1; give True or False"),
-    ],
-)
-def test_impossible_safeguards_are_refused(values, words):
-    with pytest.raises(ScanError, match=words):
-        Safeguards(**values)
-
-
-def test_what_are_no_safeguards_is_refused():
-    with pytest.raises(ScanError, match="safeguards are 'yes'"):
-        ScanParameters(safeguards="yes")
-    with pytest.raises(ScanError, match="degree is True"):
-        ScanParameters(degree=True)
-    with pytest.raises(ScanError, match="amplitude is True"):
-        ScanParameters(amplitude=True)
 
 
 def test_what_a_machine_wants_is_named():

@@ -8,14 +8,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from freecad_edgescan.experiments import random_wedges
-from freecad_edgescan.experiments.random_wedges import (
-    SPOILT,
-    judge,
-    make_wedge,
-    search,
-    wedge_table,
-)
+from freecad_edgescan.experiments import wedge_search
+from freecad_edgescan.experiments.random_wedges import SPOILT, make_wedge
+from freecad_edgescan.experiments.wedge_search import judge, search, wedge_table
 
 
 @pytest.fixture(scope="module")
@@ -78,6 +73,6 @@ def test_a_scan_that_fails_is_no_refusal(monkeypatch) -> None:
     def broken(task: tuple[int, bool]) -> None:
         raise ZeroDivisionError("oh")
 
-    monkeypatch.setattr(random_wedges, "judge", broken)
+    monkeypatch.setattr(wedge_search, "judge", broken)
     with pytest.raises(RuntimeError, match="wedge 7"):
         search(1, first=7, jobs=1)
