@@ -3,7 +3,7 @@
 
 1. the core-box cloud, as the published case study scanned its part;
 2. its rims, each from a start to a gate;
-3. per pipe arc profiles from end to end, a native sweep of the first and a loft through all;
+3. per pipe arc profiles from end to end, a sweep of the first and a loft through all;
 4. a document, a STEP file, a table of edge points, and pictures.
 """
 
@@ -40,7 +40,12 @@ EDGE_LOOK = Look(
 )
 PROFILE_LOOK = Look(colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), line_width=1.0)
 LOFT_LOOK = Look(colour=(0.34, 0.71, 0.91), line_colour=(0.0, 0.2, 0.4))
-SWEEP_LOOK = Look(colour=(0.0, 0.62, 0.45), line_colour=(0.0, 0.2, 0.1), visible=False)
+SWEEP_LOOK = Look(
+    colour=(0.0, 0.62, 0.45),
+    line_colour=(0.0, 0.2, 0.1),
+    visible=False,
+    view=("freecad_edgescan.gui.sweep_view", "ViewProviderSweep"),
+)
 _BESIDE = 20.0  # pitches, twice the distance of starts and gates from the rims
 _PROFILES = 17  # per pipe; fewer, and the loft leaves the wall in the bends
 
@@ -189,12 +194,16 @@ def _looks(doc: Any) -> dict[str, Look]:
     """Edges and lofts shine through the probe centres above them; the sweeps are hidden."""
     look_of = {
         "Points::Feature": CLOUD_LOOK,
-        "Part::FeaturePython": EDGE_LOOK,
+        "ScannedEdgeProxy": EDGE_LOOK,
         "Part::Feature": PROFILE_LOOK,
-        "Part::Sweep": SWEEP_LOOK,
+        "SweepProxy": SWEEP_LOOK,
         "Part::Loft": LOFT_LOOK,
     }
-    return {obj.Name: look_of[obj.TypeId] for obj in doc.Objects if obj.TypeId in look_of}
+    kinds = {
+        obj.Name: type(obj.Proxy).__name__ if hasattr(obj, "Proxy") else obj.TypeId
+        for obj in doc.Objects
+    }
+    return {name: look_of[kind] for name, kind in kinds.items() if kind in look_of}
 
 
 def _write_csv(rows: list[DemoEdge], path: Path) -> None:
@@ -231,7 +240,7 @@ def _surface_table(surfaces: list[DemoSurface]) -> str:
         if surface.valid:
             line += f"  {surface.deviation.mean():8.4f}  {surface.deviation.max():8.4f}"
         lines.append(line)
-    lines.append("A native sweep moves one profile: it cannot follow the pipes, which narrow.")
+    lines.append("A sweep moves one profile: it cannot follow the pipes, which narrow.")
     return "\n".join(lines)
 
 

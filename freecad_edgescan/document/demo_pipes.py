@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Pipes of the demonstration: profiles, a native sweep and a native loft, held against the truth.
+"""Pipes of the demonstration: profiles, a sweep and a loft, held against the truth.
 
-A native sweep moves one profile along one rail; where the pipe narrows it cannot follow. The loft
+A sweep moves one profile along one rail; where the pipe narrows it cannot follow. The loft
 goes through arc profiles measured at several places between the two rails, and can.
 """
 

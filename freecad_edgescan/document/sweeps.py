@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Native sweeps and lofts on scanned edges; they recompute when an edge is scanned again."""
+"""Sweeps and lofts on scanned edges; they recompute when an edge is scanned again."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
+
+from .sweep_object import SweepProxy
 
 __all__ = ["make_loft", "make_sweep"]
 
@@ -21,7 +23,8 @@ def make_sweep(doc: Any, profile: Any, rail: Any, name: str = "Sweep") -> Any:
 
     Returns
     -------
-    Part::Sweep with corrected Frenet frames, which do not flip where the rail's torsion does.
+    Part::FeaturePython with the properties of FreeCAD's Part::Sweep. Along a rail in a plane the
+    profile keeps its angle to that plane; along any other its frames turn as little as they can.
 
     Raises
     ------
@@ -32,11 +35,10 @@ def make_sweep(doc: Any, profile: Any, rail: Any, name: str = "Sweep") -> Any:
     if profile is rail:
         raise ValueError(f"Profile and rail are both {rail.Label!r}; choose two different objects.")
     edges = max(1, len(rail.Shape.Edges))
-    sweep = doc.addObject("Part::Sweep", name)
+    sweep = doc.addObject("Part::FeaturePython", name)
+    SweepProxy(sweep)
     sweep.Sections = [profile]
     sweep.Spine = (rail, [f"Edge{number}" for number in range(1, edges + 1)])
-    sweep.Solid = False
-    sweep.Frenet = False
     return sweep
 
 

@@ -9,7 +9,7 @@ is free; those of `fit_curve` are close to the arc length.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import comb
 
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import BSpline
 
+from freecad_edgescan.geometry.plane import Plane
 from freecad_edgescan.geometry.polyline import distance_to_polyline
 
 __all__ = ["BSplineCurve"]
@@ -307,6 +308,10 @@ class BSplineCurve:
         bend = np.where(bend > 1e-3 * square, bend, square)
         longest = np.diff(self._breaks[0]).max()
         return np.clip(-slope / np.where(bend > 0.0, bend, np.inf), -longest, longest)
+
+    def flattened(self, plane: Plane) -> BSplineCurve:
+        """The curve's projection into a plane, over the same parameters."""
+        return replace(self, poles=self.poles - plane.residuals(self.poles))
 
     def reversed(self) -> BSplineCurve:
         """The same curve run through from its end to its start, over the same parameters."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Sweep along edge: a native Part::Sweep of a profile along a scanned edge."""
+"""Sweep along edge: a profile moved along a scanned edge."""
 
 from __future__ import annotations
 

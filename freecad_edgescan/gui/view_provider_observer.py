@@ -15,7 +15,10 @@ import FreeCAD
 
 __all__ = ["start_watching", "stop_watching"]
 
-_HOME_OF = {"ScannedEdgeProxy": ("scanned_edge_view", "ViewProviderScannedEdge")}
+_HOME_OF = {
+    "ScannedEdgeProxy": ("scanned_edge_view", "ViewProviderScannedEdge"),
+    "SweepProxy": ("sweep_view", "ViewProviderSweep"),
+}
 
 _watching: list[Any] = []
 

@@ -134,17 +134,12 @@ class ScannedEdge:
         """
         from ..geometry import common_plane, fit_curve
 
-        points = self.points
-        if tolerance is None:
-            plane = common_plane(points, self.covariance_3d, closed=self.closed)
-            points = points if plane is None else points - plane.residuals(points)
-        return fit_curve(
-            points,
-            self.sigma,
-            covariance=self.covariance_3d,
-            closed=self.closed,
-            tolerance=tolerance,
-        )
+        covariance = self.covariance_3d
+        curve = fit_curve(self.points, self.sigma, covariance, None, self.closed, tolerance)
+        if tolerance is not None:
+            return curve
+        plane = common_plane(self.points, covariance, self.closed)
+        return curve if plane is None else curve.flattened(plane)
 
     @cached_property
     def primitive(self) -> Line | Circle | None:

@@ -51,7 +51,12 @@ def test_a_small_box_gives_edges_near_the_truth_and_all_files(tmp_path: Path) ->
     assert len(read.Faces) == 2
     doc = FreeCAD.openDocument(str(tmp_path / "demo" / "corebox.FCStd"))
     try:
-        assert len(doc.findObjects("Part::Sweep")) == len(doc.findObjects("Part::Loft")) == 1
+        assert len(doc.findObjects("Part::Loft")) == 1
+        sweep = doc.getObject("Pipe1Sweep")
+        assert sweep.Frames == "at a fixed angle to the plane of the rail"
+        heights = np.array([vertex.z for vertex in sweep.Shape.tessellate(0.05)[0]])
+        assert heights.min() == pytest.approx(-8.0, abs=0.1)
+        assert heights.max() == pytest.approx(0.0, abs=0.1)
         assert all(obj.Shape.isValid() for obj in doc.Objects if hasattr(obj, "Shape"))
         profiles = doc.getObject("Pipe1Profiles").Group
         radii = [profile.Shape.Curve.Radius for profile in profiles]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Scanned edges carry native sweeps and lofts, and go into STEP files as curves."""
+"""Scanned edges carry sweeps and lofts, and go into STEP files as curves."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_a_sweep_on_a_scanned_edge_follows_it_when_it_is_scanned_again(doc: Any,
     profile = line(doc, tuple(start), tuple(start + V(0, 0, 2)))
     sweep = document.make_sweep(doc, profile, rim)
     doc.recompute()
-    assert sweep.TypeId == "Part::Sweep"
+    assert sweep.Frames == "at a fixed angle to the plane of the rail"
     assert sweep.Shape.isValid()
     assert sweep.Shape.Area == pytest.approx(20 * np.pi * 2, rel=0.01)
     rim.Cloud.Placement.Base = V(0, 0, 30)
@@ -48,6 +48,108 @@ def test_a_sweep_on_a_scanned_edge_follows_it_when_it_is_scanned_again(doc: Any,
     profile.Placement.Base = V(0, 0, 30)
     doc.recompute()
     assert sweep.Shape.CenterOfMass.z == pytest.approx(43.0, abs=0.1)
+
+
+def wave(rise: float = 0.0) -> Any:
+    """An almost straight B-spline that bends both ways, in z = 0 unless it rises."""
+    x = np.linspace(0.0, 300.0, 16)
+    places = np.column_stack([x, 1e-3 * x * np.sin(x / 40.0), rise * np.sin(x / 25.0)])
+    curve = Part.BSplineCurve()
+    curve.interpolate([V(*place) for place in places])
+    return curve.toShape()
+
+
+def rail_of(doc: Any, edge: Any) -> Any:
+    made = doc.addObject("Part::Feature", "Rail")
+    made.Shape = edge
+    return made
+
+
+def test_a_profile_keeps_its_angle_to_the_plane_of_a_rail_that_bends_both_ways(doc: Any) -> None:
+    rail = rail_of(doc, wave())
+    sweep = document.make_sweep(doc, line(doc, (0, 0, 0), (0, 0, 20)), rail)
+    doc.recompute()
+    assert sweep.Shape.Area == pytest.approx(20 * rail.Shape.Length, rel=1e-6)
+    vertices, _ = sweep.Shape.tessellate(0.1)
+    heights = np.array([vertex.z for vertex in vertices])
+    assert heights.min() == pytest.approx(0.0, abs=1e-6)
+    assert heights.max() == pytest.approx(20.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("rise", [1e-4, 3.0])
+def test_along_a_rail_in_no_plane_a_sweep_is_near_the_rail_or_says_why_not(
+    doc: Any, rise: float
+) -> None:
+    rail = rail_of(doc, wave(rise))
+    sweep = document.make_sweep(doc, line(doc, (0, 0, 0), (0, 0, 20)), rail)
+    doc.recompute()
+    if "Invalid" in sweep.State:
+        assert "turn over" in sweep.getStatusString()
+    else:
+        assert sweep.Frames == "turning least"
+        vertices, _ = sweep.Shape.tessellate(0.5)
+        box = rail.Shape.BoundBox
+        box.enlarge(21.0)
+        assert all(box.isInside(vertex) for vertex in vertices)
+
+
+def test_a_closed_profile_gives_a_solid_when_it_is_asked_for(doc: Any) -> None:
+    rail = rail_of(doc, wave())
+    profile = doc.addObject("Part::Feature", "Ring")
+    profile.Shape = Part.makeCircle(5, V(0, 0, 0), rail.Shape.tangentAt(rail.Shape.FirstParameter))
+    sweep = document.make_sweep(doc, profile, rail)
+    sweep.Solid = True
+    doc.recompute()
+    assert sweep.Shape.ShapeType == "Solid"
+    assert sweep.Shape.Volume == pytest.approx(25 * np.pi * rail.Shape.Length, rel=1e-4)
+
+
+def test_a_sweep_follows_its_profile_and_is_found_again_in_the_file(
+    doc: Any, tmp_path: Path
+) -> None:
+    profile = line(doc, (0, 0, 0), (0, 0, 20))
+    sweep = document.make_sweep(doc, profile, rail_of(doc, wave()))
+    doc.recompute()
+    area, path = sweep.Shape.Area, str(tmp_path / "sweep.FCStd")
+    doc.saveAs(path)
+    read = FreeCAD.openDocument(path)
+    try:
+        assert read.Sweep.Shape.Area == pytest.approx(area)
+        read.Line.Shape = Part.makeLine(V(0, 0, 0), V(0, 0, 10))
+        read.recompute()
+        assert read.Sweep.Shape.Area == pytest.approx(area / 2)
+    finally:
+        FreeCAD.closeDocument(read.Name)
+
+
+def test_a_surface_that_shoots_out_is_refused() -> None:
+    from freecad_edgescan.document.sweep_shape import require_within_reach
+
+    upright, along = Part.makeLine(V(0, 0, 0), V(0, 0, 20)), V(300, 0, 0)
+    profile, rail = Part.Wire(upright), Part.Wire(Part.makeLine(V(0, 0, 0), along))
+    require_within_reach(upright.extrude(along), profile, rail)
+    with pytest.raises(ValueError, match=r"by 40 mm.*only by 20"):
+        require_within_reach(Part.makeLine(V(0, 0, 0), V(0, 0, 40)).extrude(along), profile, rail)
+
+
+def test_an_open_profile_gives_no_solid_and_that_is_said(doc: Any) -> None:
+    sweep = document.make_sweep(doc, line(doc, (0, 0, 0), (0, 0, 20)), rail_of(doc, wave()))
+    sweep.Solid = True
+    doc.recompute()
+    assert "closed profile" in sweep.getStatusString()
+
+
+def test_what_cannot_be_swept_is_said_and_the_last_sweep_stays(doc: Any) -> None:
+    profile = line(doc, (0, 0, 0), (0, 0, 20))
+    sweep = document.make_sweep(doc, profile, rail_of(doc, wave()))
+    doc.recompute()
+    area = sweep.Shape.Area
+    profile.Shape = Part.Compound(
+        [Part.makeLine(V(0, 0, 0), V(0, 0, 1)), Part.makeLine(V(0, 5, 0), V(0, 5, 1))]
+    )
+    doc.recompute()
+    assert "2 wires" in sweep.getStatusString()
+    assert sweep.Shape.Area == area
 
 
 def test_a_loft_joins_two_rims(doc: Any, rim: Any) -> None:

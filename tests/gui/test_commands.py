@@ -32,6 +32,12 @@ def add_edge(doc: Any, name: str, start: tuple[float, ...], end: tuple[float, ..
     return item
 
 
+def sweep_of(doc: Any) -> Any:
+    """The only sweep of a document."""
+    (sweep,) = (obj for obj in doc.Objects if hasattr(obj, "Spine"))
+    return sweep
+
+
 def select(*items: Any) -> None:
     Gui.Selection.clearSelection()
     for item in items:
@@ -111,7 +117,7 @@ def test_sweep_moves_the_profile_along_the_rail(window: Any) -> None:
     undo_steps = window.doc.UndoCount
     select(profile, rail)
     Gui.runCommand("EdgeScan_Sweep")
-    (sweep,) = window.doc.findObjects("Part::Sweep")
+    sweep = sweep_of(window.doc)
     assert sweep.Shape.Area == pytest.approx(30.0)
     assert window.doc.UndoCount == undo_steps + 1
 
@@ -126,7 +132,7 @@ def test_a_scanned_edge_is_the_rail_in_whatever_order_it_is_selected(window: Any
     profile = add_edge(window.doc, "Profile", start, start + FreeCAD.Vector(0, 0, 2))
     select(edge, profile)
     Gui.runCommand("EdgeScan_Sweep")
-    (sweep,) = window.doc.findObjects("Part::Sweep")
+    sweep = sweep_of(window.doc)
     assert sweep.Spine[0] == edge
     assert sweep.Shape.Area == pytest.approx(2 * edge.Shape.Length, rel=0.01)
 
@@ -169,8 +175,8 @@ def test_recorded_lines_mention_neither_screen_nor_mouse(
         add_edge(window.doc, "Rail", (0, 0, 0), (0, 0, 10)),
     )
     Gui.runCommand("EdgeScan_Sweep")
-    area = window.doc.findObjects("Part::Sweep")[0].Shape.Area
+    area = sweep_of(window.doc).Shape.Area
     assert not any("Gui" in line for line in lines)
     window.doc.undo()
     exec("import FreeCAD\n" + "\n".join(lines), {})
-    assert window.doc.findObjects("Part::Sweep")[0].Shape.Area == area
+    assert sweep_of(window.doc).Shape.Area == area

@@ -5,6 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
+from freecad_edgescan.cloud import TorusObject
 from freecad_edgescan.scanning import scan_edge
 
 NOISE = 0.02
@@ -183,3 +184,17 @@ def test_an_edge_and_its_curve_are_printed_in_one_line(right_angle):
     )
     assert repr(edge.curve()).startswith("BSplineCurve(")
     assert len(repr(edge.curve())) < 60
+
+
+def test_the_curve_of_an_edge_in_a_plane_lies_in_a_plane():
+    """The rim of a torus object; its points leave its plane by their noise."""
+    part = TorusObject(section_radius=40, edge_radius=100, angle=np.pi / 2)
+    cloud = part.cloud(pitch=0.5, amplitude=20, noise=0.05)
+    edge = scan_edge(cloud, at=cloud.edges[0].points[200])
+    poles = edge.curve().poles
+    assert np.linalg.svd(poles - poles.mean(axis=0))[1][2] < 1e-9
+    loose = edge.curve(tolerance=0.05).poles
+    assert np.linalg.svd(loose - loose.mean(axis=0))[1][2] > 1e-6
+    u, _ = edge.curve().closest(edge.points)
+    away = np.linalg.norm(edge.curve().evaluate(u) - edge.points, axis=1)
+    assert np.mean((away / edge.sigma) ** 2) < 2.0
