@@ -16,11 +16,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import SimulatedCloud
 from ..scanning import Gate, Progress, ScannedEdge, ScanParameters, Start, Stop, scan_edge
-from ..scanning.corner import across_axes
 from .collecting import collect
 from .doe_design import Trial
 from .doe_result import PATCH, DoeRun, Group
 from .edge_bound import edge_bound
+from .honesty import mahalanobis
 from .processes import Failure
 
 __all__ = ["RowTask", "edge_errors", "scan_row", "scan_rows", "scan_trial", "trial_cloud"]
@@ -142,18 +142,11 @@ def edge_errors(trial: Trial, points: ArrayLike) -> NDArray[np.float64]:
     return np.hypot(np.hypot(x, y) - trial.edge_radius, z + trial.section_radius)
 
 
-def mahalanobis(trial: Trial, edge: ScannedEdge) -> NDArray[np.float64]:
-    """Distance of edge points from the true edge by their own covariance, (m,).
-
-    Of points that err as they say, half lie within 1.18 and 95 % within 2.45.
-    """
-    azimuth = np.arctan2(edge.points[:, 1], edge.points[:, 0])
-    x = trial.edge_radius
-    heights = np.full(len(edge), -trial.section_radius)
-    truth = np.column_stack([x * np.cos(azimuth), x * np.sin(azimuth), heights])
-    offset = np.einsum("mai,mi->ma", across_axes(edge.normals), edge.points - truth)
-    square = np.einsum("ma,mab,mb->m", offset, np.linalg.pinv(edge.covariance), offset)
-    return np.sqrt(np.maximum(square, 0.0))
+def off_the_edge(trial: Trial, points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Vectors (m, 3) from the circle of the true edge to edge points (m, 3), mm."""
+    x, y, _ = points.T
+    share = trial.edge_radius / np.hypot(x, y)
+    return points - np.column_stack([share * x, share * y, np.full(len(x), -trial.section_radius)])
 
 
 def _run(task: RowTask, group: Group, cloud: SimulatedCloud) -> DoeRun:
@@ -180,7 +173,7 @@ def _run(task: RowTask, group: Group, cloud: SimulatedCloud) -> DoeRun:
         message=edge.message,
         rms_error=float(np.sqrt(np.mean(np.square(errors)))),
         bound=edge_bound(trial, cloud),
-        mahalanobis=tuple(float(d) for d in mahalanobis(trial, edge)),
+        mahalanobis=tuple(mahalanobis(edge, off_the_edge(trial, edge.points)).tolist()),
     )
 
 

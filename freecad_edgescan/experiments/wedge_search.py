@@ -14,8 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..scanning import Progress, ScanError, scan_edge
-from ..scanning.corner import across_axes
 from .collecting import collect
+from .honesty import mahalanobis
 from .processes import Failure
 from .random_wedges import RandomWedge, make_wedge
 
@@ -76,10 +76,7 @@ def judge(task: tuple[int, bool]) -> Judged:
     except ScanError:
         return Judged(wedge, np.zeros(0), np.zeros(0))
     off = truth.residuals(edge.points)
-    seen = np.einsum("mai,mi->ma", across_axes(edge.normals), off)
-    inverse = np.linalg.inv(edge.covariance)
-    distances = np.sqrt(np.einsum("ma,mab,mb->m", seen, inverse, seen))
-    return Judged(wedge, distances, np.linalg.norm(off, axis=1) / wedge.pitch)
+    return Judged(wedge, mahalanobis(edge, off), np.linalg.norm(off, axis=1) / wedge.pitch)
 
 
 def search(

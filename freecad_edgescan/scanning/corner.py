@@ -31,6 +31,7 @@ class Corners:
     normals : (m, 2, 3) unit vectors at the two sides, on the side of the frames' normals
     sides : (m, 2, 3) unit vectors along the two sides, away from the edge
     covariance : (m, 2, 2) mm², in the axes of `across_axes`
+    shared : (m, 2, 2) mm², the part of it that neighbouring sections have in common
     variances : (m, 2) mm², of each side's position at the edge
     shift : (m, 2) mm, from the frame's origin, along the frame's across axes
     found : (m,) whether the sides meet near the origin
@@ -41,6 +42,7 @@ class Corners:
     normals: np.ndarray
     sides: np.ndarray
     covariance: np.ndarray
+    shared: np.ndarray
     variances: np.ndarray
     shift: np.ndarray
     found: np.ndarray
@@ -108,10 +110,16 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
     tangent = np.where(size > 1e-6, tangent / np.maximum(size, 1e-300), frames.tangent)
     sides = cross(normals, tangent[:, None])
     sides *= np.where(np.einsum("mki,mki->mk", sides, frames.sides) < 0, -1.0, 1.0)[..., None]
-    variances = _variance_at(fits, along_side, along_normal, shift, gradient * distance[:, :, None])
+    variances, common = _variance_at(
+        fits, along_side, along_normal, shift, gradient * distance[:, :, None]
+    )
     inverse = _inverse_2x2(gradient)
-    covariance = np.einsum("mak,mk,mbk->mab", inverse, variances, inverse)
-    return Corners(point, tangent, normals, sides, covariance, variances, shift * reach, found)
+    covariance, shared = (
+        np.einsum("mak,mk,mbk->mab", inverse, part, inverse) for part in (variances, common)
+    )
+    return Corners(
+        point, tangent, normals, sides, covariance, shared, variances, shift * reach, found
+    )
 
 
 def _section_distance(
@@ -135,14 +143,23 @@ def _variance_at(
     along_normal: np.ndarray,
     shift: np.ndarray,
     offset: np.ndarray,
-) -> np.ndarray:
-    """Variance of each side's position where the edge point stands on it, (m, 2) mm²."""
+) -> tuple[np.ndarray, np.ndarray]:
+    """Variance of each side's position where the edge point stands on it, (m, 2) mm².
+
+    And the part of it that comes from what neighbouring sections share: the expected curvature,
+    and what their stretches' beginnings have in common.
+    """
     foot = shift[:, None] - offset
     s = np.einsum("mka,mka->mk", along_side, foot)
     n = np.einsum("mka,mka->mk", along_normal, foot)
     terms = np.stack([np.ones_like(s), s, 0.5 * (s**2 + n**2), np.zeros_like(s)], axis=-1)
     leverage = np.einsum("mki,mkij,mkj->mk", terms, fits.inverse, terms)
-    return (fits.variance * leverage + fits.astray) * fits.reach**2
+    # How far an error of the expected curvature moves the side.
+    moved = np.einsum("mki,mki->mk", terms, fits.inverse[..., 2]) * fits.expectation
+    common = fits.variance * moved**2 / np.maximum(fits.expectation, 1e-300)
+    return tuple(
+        (part + fits.astray) * fits.reach**2 for part in (fits.variance * leverage, common)
+    )
 
 
 def _inverse_2x2(matrix: np.ndarray) -> np.ndarray:

@@ -18,9 +18,9 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners
 from .edge_path import EdgePath
-from .neighbours import borrowed
+from .neighbours import Neighbours
 from .patch_section import PatchSettings
-from .pooling import agreed_stretches, cleaned, evened_moments, shared_curvature
+from .pooling import agreed_stretches, cleaned, counted_twice, evened_moments, shared_curvature
 from .section import Frames, SectionPoints
 from .side_fit import SideFits, fit_summed, sum_stretches
 from .stop import Stop
@@ -29,6 +29,9 @@ from .strip import strip_points
 _NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
 _SUPPLIED = 3  # points of a side below which a section bridges a gap
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
+# Ends at which the sides go on.
+_GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
+_SURELY = 0.2  # share of the usual doubt about where the sides are
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
@@ -42,6 +45,7 @@ class Measured:
     points : cloud points in them, and removed (n,) those that no fit used
     fits : the sides
     noise : (m, 2) standard deviation of the points about the sides, mm
+    half_length : (m,) how far along the edge, to both sides, the points of a fit reach, mm
     supplied : (m,) whether both sides have points in the section itself
     at : (m,) places of the sections along the edge, mm
     extent : places along the edge between which both sides have points, mm
@@ -52,6 +56,7 @@ class Measured:
     removed: np.ndarray
     fits: SideFits
     noise: np.ndarray
+    half_length: np.ndarray
     supplied: np.ndarray
     at: np.ndarray
     extent: tuple[float, float]
@@ -77,17 +82,27 @@ def measure_together(
     used[plausible] = ~outliers
     stretch = agreed_stretches(pooled.stretch, path)
     own = sum_stretches(evened_moments(points[used], path, settings), stretch)
-    fits = _supplied_fits(
+    fits, borrowed_from = _supplied_fits(
         own,
         replace(pooled, stretch=stretch),
-        shared_curvature(pooled, path),
+        shared_curvature(pooled, path, settings.half_width),
         path,
         settings.half_width,
     )
     removed = ~used | ~_in_stretch(points, fits)
     local = np.sqrt(pooled.variance) * pooled.reach
     supplied = np.all(own[..., 0] >= _SUPPLIED, axis=1)
-    return Measured(path.frames, points, removed, fits, local, supplied, path.at, extent)
+    return Measured(
+        path.frames,
+        points,
+        removed,
+        fits,
+        local,
+        settings.half_width + borrowed_from * path.spacing,
+        supplied,
+        path.at,
+        extent,
+    )
 
 
 def _strip(
@@ -98,9 +113,13 @@ def _strip(
     plausible = _plausible(path.frames, points, settings, noise)
     first, last = extent = _extent(points[plausible], path, settings.cloud_pitch)
     place = path.at[points.owner] + points.along
-    # At a corner the points at the very end may belong to the next surface.
+    # The points at the very end may belong to the next surface. At a corner they do; where the
+    # cloud ends they may still, and only those that are clearly on the sides are taken.
     clear = [settings.cloud_pitch * (end is Stop.CORNER) for end in path.ends]
     plausible &= (place >= first + clear[0]) & (place <= last - clear[1])
+    clear = [settings.cloud_pitch * (end not in _GIVEN_ENDS) for end in path.ends]
+    inside = (place >= first + clear[0]) & (place <= last - clear[1])
+    plausible &= inside | _plausible(path.frames, points, settings, noise, _SURELY)
     return points, plausible, extent
 
 
@@ -110,12 +129,14 @@ def _supplied_fits(
     curvature: tuple[np.ndarray, np.ndarray],
     path: EdgePath,
     half_width: float,
-) -> SideFits:
-    """Fit each section on its own points, and on its neighbours' too where these are too few."""
+) -> tuple[SideFits, np.ndarray]:
+    """Fit each section on its own points, and on its neighbours' too where these are too few.
+
+    And how many neighbours on each side were asked, (m,).
+    """
     reach = pooled.reach
     local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
-    # Slabs wider than the spacing share points; sums over neighbours must not count them twice.
-    overlap = max(1.0, 2.0 * half_width / path.spacing)
+    overlap, neighbours = counted_twice(path, half_width), Neighbours(path, reach)
 
     def fit(summed: np.ndarray) -> SideFits:
         fits = fit_summed(summed, reach, local, pooled.stretch, *curvature)
@@ -127,25 +148,33 @@ def _supplied_fits(
             astray=pooled.astray,
         )
 
-    fits, summed, width = fit(own), own, 0
+    fits, summed, width, asked = fit(own), own, 0, np.zeros(len(own))
     for wider in _WIDER:
         thin = fits.inverse[..., 0, 0] > _THIN
         if not thin.any() or wider >= len(own) // 2:
             break
         steps = [sign * k for k in range(width + 1, wider + 1) for sign in (-1, 1)]
-        more = sum(borrowed(own, path, step, reach) for step in steps)
+        more = sum(neighbours.borrowed(own, step) for step in steps)
         summed = summed + more / overlap
         width = wider
         fits = fits.or_where(thin, fit(summed))
-    return fits
+        asked[thin.any(axis=1)] = wider
+    return fits, asked
 
 
 def _plausible(
-    frames: Frames, points: SectionPoints, settings: PatchSettings, noise: float
+    frames: Frames,
+    points: SectionPoints,
+    settings: PatchSettings,
+    noise: float,
+    share: float = 1.0,
 ) -> np.ndarray:
-    """Points near enough to the surfaces that the walk has seen."""
+    """Points near enough to the surfaces that the walk has seen.
+
+    The share is that of what is allowed besides noise.
+    """
     expected = 0.5 * frames.curvature[points.owner, points.side] * points.away**2
-    allowed = 4.0 * noise + 0.5 * settings.cloud_pitch + 0.1 * points.away
+    allowed = 4.0 * noise + share * (0.5 * settings.cloud_pitch + 0.1 * points.away)
     begins = frames.rolled_over(settings.probe_radius)[points.owner]
     return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
 
@@ -159,7 +188,7 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
     place = path.at[points.owner] + points.along
     extent = [-np.inf, np.inf]
     for k, end in enumerate(path.ends):
-        if end in (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED):
+        if end in _GIVEN_ENDS:
             continue
         near = points.away < (_NEAR_END * cloud_pitch if end is Stop.CORNER else np.inf)
         sides = [np.sort(place[near & (points.side == side)]) for side in range(2)]

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
+from ..geometry import Line, simplest_curve
 from .air import convex_by_approach, convex_by_rounding
 from .automatic import Chosen
 from .corner import turned_covariance
@@ -19,6 +20,7 @@ from .fillet import rounding_radius
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge, Vertex
 from .section import SectionPoints, frames_from_sides
+from .smoothing import smoothed
 from .stop import Stop
 from .trace import Trace
 from .vertex import FoundVertex
@@ -76,15 +78,19 @@ def finish_edge(
     edge = measured.corners(-probe if convex else probe) if probe else seen
     fillet, sigma = _fillet(rounding, rounding_sigma, probe, convex)
     # The path knows the edge's direction from all its points, a section only from its own.
-    standing = frames_from_sides(edge.point, frames.tangent, edge.sides)
+    straight = simplest_curve(edge.point, _largest(edge.covariance), trace.closed)
+    smooth = smoothed(
+        measured, edge, settings.cloud_pitch, trace.closed, isinstance(straight, Line)
+    )
+    standing = frames_from_sides(smooth.point, frames.tangent, edge.sides)
     normals = -standing.normals if convex is False else standing.normals
     return ScannedEdge(
-        points=edge.point,
+        points=smooth.point,
         tangents=standing.tangent,
         normals=normals,
         angle=np.pi - standing.turn,
         convex=convex,
-        covariance=turned_covariance(edge.covariance, frames.normals, normals),
+        covariance=turned_covariance(smooth.covariance, frames.normals, normals),
         fillet_radius=fillet,
         fillet_sigma=sigma,
         supported=measured.supplied & edge.found,
@@ -93,8 +99,9 @@ def finish_edge(
         stops=corners_at(vertices, trace.stops),
         message="",
         scan_lines=ScanLines(
-            frames, measured.points, measured.removed, measured.fits, seen.point, edge.point
+            frames, measured.points, measured.removed, measured.fits, seen.point, smooth.point
         ),
+        single=(edge.point, turned_covariance(edge.covariance, frames.normals, normals)),
         overhang=cloud.tree.query(seen.point)[0],
         vertices=(_stated(vertices[0]), _stated(vertices[1])),
         third_normals=(
@@ -119,6 +126,11 @@ def _cut_at(vertices: Vertices, measured: Measured) -> Measured:
     if len(kept) < 3:
         return measured
     return select_sections(measured, slice(kept[0], kept[-1] + 1))
+
+
+def _largest(covariance: np.ndarray) -> np.ndarray:
+    """Standard deviation in the worst direction, (m,) mm."""
+    return np.sqrt(np.maximum(np.linalg.eigvalsh(covariance)[..., -1], 0.0))
 
 
 def _stated(vertex: FoundVertex | None) -> Vertex | None:
@@ -199,6 +211,7 @@ def select_sections(measured: Measured, part: slice) -> Measured:
         removed=measured.removed[mine],
         fits=measured.fits[part],
         noise=measured.noise[part],
+        half_length=measured.half_length[part],
         supplied=measured.supplied[part],
         at=measured.at[part],
     )

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.ndimage import convolve1d, percentile_filter, uniform_filter1d
 
 from .edge_path import EdgePath
+from .neighbours import Neighbours
 from .patch_section import PatchSettings
 from .section import SectionPoints
 from .side_fit import (
@@ -23,7 +24,6 @@ from .side_fit import (
     block_moments,
     choose_stretches,
     fit_summed,
-    sum_stretches,
     without_crowds,
 )
 
@@ -46,7 +46,8 @@ def cleaned(
     A block that loses many of its points, as where a rounding begins, is not used: the points it
     keeps only look like the side.
     """
-    pooled = _decide(points, path, settings, noise, None, _STRIDES[0])
+    neighbours = Neighbours(path, settings.reach)
+    pooled = _decide(points, path, neighbours, settings, noise, None, _STRIDES[0])
     removed = np.zeros(len(points.index), dtype=bool)
     for stride in _STRIDES[1:]:
         limit = 3.5 * np.maximum(np.sqrt(pooled.variance) * pooled.reach, 0.5 * noise)
@@ -56,7 +57,7 @@ def cleaned(
             for part in (removed, ~removed)
         )
         doubtful = lost > 0.25 * (lost + left)
-        pooled = _decide(points[~removed], path, settings, noise, doubtful, stride)
+        pooled = _decide(points[~removed], path, neighbours, settings, noise, doubtful, stride)
     return pooled, removed
 
 
@@ -70,10 +71,13 @@ def agreed_stretches(stretch: np.ndarray, path: EdgePath) -> np.ndarray:
     return np.where(narrow, stretch, np.stack([begins, ends], axis=-1))
 
 
-def shared_curvature(pooled: SideFits, path: EdgePath) -> tuple[np.ndarray, np.ndarray]:
+def shared_curvature(
+    pooled: SideFits, path: EdgePath, half_width: float
+) -> tuple[np.ndarray, np.ndarray]:
     """Curvature of each side that neighbours agree on, and how far one may be from it."""
     own = pooled.coefficients[..., 2]
-    variance = np.maximum(pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
+    counted = counted_twice(path, half_width)
+    variance = np.maximum(counted * pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
     weight = 1.0 / variance
     total = _pool(weight, path, _POOLED_CURVATURE)
     mean = _pool(weight * own, path, _POOLED_CURVATURE) / total
@@ -82,6 +86,37 @@ def shared_curvature(pooled: SideFits, path: EdgePath) -> tuple[np.ndarray, np.n
     known = _OVERLAP / total
     by_chance = np.maximum(_pool(np.ones_like(own), path, _POOLED_CURVATURE) / total - known, 0.0)
     return mean, np.sqrt(np.maximum(scatter - by_chance, 0.0) + known + 1e-8)
+
+
+def counted_twice(path: EdgePath, half_width: float) -> float:
+    """How often sums over neighbouring sections count each point: slabs may overlap."""
+    return max(1.0, 2.0 * half_width / path.spacing)
+
+
+def shared_between(sections: int, closed: bool, farthest: int) -> np.ndarray:
+    """Correlation of what sections share about their curvature.
+
+    Parameters
+    ----------
+    sections : their number
+    closed : whether the last one leads back to the first
+    farthest : number of sections between two of them at most
+
+    Returns
+    -------
+    (sections, farthest + 1) of each section and the one so many further. Near the ends, where
+    fewer sections are asked, it is larger.
+    """
+    # Between the ends of a long edge it is the same everywhere.
+    few = min(sections, 4 * (_POOLED + _POOLED_CURVATURE) + 2 * farthest + 2)
+    asked = _summed(_summed(np.eye(few), _POOLED, closed), _POOLED_CURVATURE, closed)
+    asked /= np.linalg.norm(asked, axis=1, keepdims=True)
+    alike = asked @ asked.T
+    onward = (np.arange(few)[:, None] + np.arange(farthest + 1)) % few
+    table = np.take_along_axis(alike, onward, axis=1)
+    which = np.arange(sections)
+    which = np.where(which < few // 2, which, np.maximum(which - sections + few, few // 2))
+    return np.asarray(table[which])
 
 
 def evened_moments(points: SectionPoints, path: EdgePath, settings: PatchSettings) -> np.ndarray:
@@ -93,6 +128,7 @@ def evened_moments(points: SectionPoints, path: EdgePath, settings: PatchSetting
 def _decide(
     points: SectionPoints,
     path: EdgePath,
+    neighbours: Neighbours,
     settings: PatchSettings,
     noise: float,
     doubtful: np.ndarray | None,
@@ -100,11 +136,11 @@ def _decide(
 ) -> SideFits:
     """Stretches decided on pooled points at every few sections, and fitted at every one."""
     reach = settings.reach
-    moments = _pool(evened_moments(points, path, settings), path)
+    own = evened_moments(points, path, settings)
     expected = path.frames.curvature * reach
     few = np.arange(0, len(path), stride)
     chosen = choose_stretches(
-        moments[few],
+        neighbours.pooled(own, _POOLED, few),
         reach,
         noise,
         expected[few],
@@ -119,7 +155,7 @@ def _decide(
     nearest = np.minimum((np.arange(len(path)) + stride // 2) // stride, len(few) - 1)
     stretch = chosen.stretch[nearest]
     fits = fit_summed(
-        sum_stretches(moments, stretch),
+        neighbours.pooled_stretches(own, stretch, _POOLED),
         reach,
         np.full(expected.shape, noise),
         stretch,
@@ -131,9 +167,12 @@ def _decide(
 
 def _pool(values: np.ndarray, path: EdgePath, width: int = _POOLED) -> np.ndarray:
     """Sum over the neighbouring sections."""
+    return _summed(values, width, path.closed)
+
+
+def _summed(values: np.ndarray, width: int, closed: bool) -> np.ndarray:
     width = min(width, (len(values) - 1) // 2)
     if width < 1:
         return values
-    return convolve1d(
-        values, np.ones(2 * width + 1), axis=0, mode="wrap" if path.closed else "constant", cval=0.0
-    )
+    mode = "wrap" if closed else "constant"
+    return convolve1d(values, np.ones(2 * width + 1), axis=0, mode=mode, cval=0.0)

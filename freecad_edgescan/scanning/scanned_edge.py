@@ -47,6 +47,8 @@ class ScannedEdge:
         edge, much where a rounding or wear took the edge away
     vertices : at start and end, the point where surfaces meet with its covariance, or None
     third_normals : at start and end, the unit normal there of the third surface, or None
+    single : points (m, 3) and covariance (m, 2, 2) of the sections by themselves, before they were
+        smoothed along the edge; curves are fitted to these. None where nothing was smoothed
     parameters : the parameters with every automatic value filled in
     reasons : why each automatic value was chosen, by parameter name
     scan_lines : what was touched, for pictures
@@ -70,6 +72,7 @@ class ScannedEdge:
     overhang: np.ndarray = field(default_factory=lambda: np.zeros(0))
     vertices: tuple[Vertex | None, Vertex | None] = (None, None)
     third_normals: tuple[np.ndarray | None, np.ndarray | None] = (None, None)
+    single: tuple[np.ndarray, np.ndarray] | None = None
     parameters: ScanParameters = field(default_factory=ScanParameters)
     reasons: Mapping[str, str] = field(default_factory=dict)
     method: str = "patch"
@@ -99,6 +102,18 @@ class ScannedEdge:
         return np.einsum("mai,mab,mbj->mij", axes, self.covariance, axes)
 
     @cached_property
+    def unsmoothed(self) -> ScannedEdge:
+        """The edge with the points of its sections by themselves.
+
+        Their errors are nearly independent, so that curves are fitted to these; what is smoothed
+        already looks better than it is when it is taken for independent.
+        """
+        if self.single is None:
+            return self
+        points, covariance = self.single
+        return replace(self, points=points, covariance=covariance, single=None)
+
+    @cached_property
     def sides(self) -> np.ndarray:
         """Unit vectors along the two surfaces at the edge, away from it, (m, 2, 3)."""
         sides = np.cross(self.normals, self.tangents[:, None])
@@ -117,6 +132,9 @@ class ScannedEdge:
                 *("stops", "vertices", "third_normals"),
             )
         }
+        if self.single is not None:
+            points, covariance = self.single
+            backward["single"] = (points[::-1], covariance[::-1])
         return replace(
             self, tangents=-self.tangents[::-1], scan_lines=self.scan_lines.reversed(), **backward
         )
@@ -134,11 +152,12 @@ class ScannedEdge:
         """
         from ..geometry import common_plane, fit_curve
 
-        covariance = self.covariance_3d
-        curve = fit_curve(self.points, self.sigma, covariance, None, self.closed, tolerance)
+        edge = self.unsmoothed if tolerance is None else self
+        points, covariance = edge.points, edge.covariance_3d
+        curve = fit_curve(points, edge.sigma, covariance, None, self.closed, tolerance)
         if tolerance is not None:
             return curve
-        plane = common_plane(self.points, covariance, self.closed)
+        plane = common_plane(points, covariance, self.closed)
         return curve if plane is None else curve.flattened(plane)
 
     @cached_property
@@ -146,7 +165,8 @@ class ScannedEdge:
         """The line or circle that explains the points as well as a spline would, or None."""
         from ..geometry import simplest_curve
 
-        return simplest_curve(self.points, self.sigma, closed=self.closed)
+        single = self.unsmoothed
+        return simplest_curve(single.points, single.sigma, closed=self.closed)
 
     @property
     def line(self) -> Line | None:

@@ -68,6 +68,8 @@ class SideFits:
     accepted : (m, 2) whether the stretch is one smooth surface within the noise
     astray : (m, 2) variance by which the stretch's first blocks move the edge beyond what noise
         does, in units of reach²; a rounding may have begun there
+    expectation : (m, 2) what the curvature that was expected weighs in the normal equations;
+        neighbours share it, and its error
     """
 
     reach: float
@@ -78,6 +80,7 @@ class SideFits:
     stretch: np.ndarray
     accepted: np.ndarray
     astray: np.ndarray
+    expectation: np.ndarray
 
     def __getitem__(self, part: slice) -> SideFits:
         """Return the fits of some sections; a negative step puts them into the other order."""
@@ -278,6 +281,7 @@ def choose_stretches(
         np.stack([first[best], last[best]], axis=-1),
         (even & enough)[m, k, best],
         astray[m, k, best],
+        variance / np.square(np.broadcast_to(curvature_sigma, variance.shape)),
     )
 
 
@@ -322,7 +326,15 @@ def fit_summed(
     coefficients, inverse, misfit, count = _solve(summed, variance, curvature, curvature_sigma)
     spread = misfit / np.maximum(count - 3.0, 1.0)
     return SideFits(
-        reach, coefficients, inverse, spread, count, stretch, count >= 6, np.zeros_like(spread)
+        reach,
+        coefficients,
+        inverse,
+        spread,
+        count,
+        stretch,
+        count >= 6,
+        np.zeros_like(spread),
+        variance / np.square(curvature_sigma),
     )
 
 
@@ -334,9 +346,8 @@ def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
 
 
 def moved_moments(summed: np.ndarray, moves: np.ndarray) -> np.ndarray:
-    """Normal equations (m, 2, 15) in other terms: moves (m, 2, 5, 5) times (1, s, q, u, n)."""
-    full = summed[..., _SQUARE]
-    moved = np.einsum("mkij,mkjl,mknl->mkin", moves, full, moves, optimize=True)
+    """Normal equations (…, 15) in other terms: moves (…, 5, 5) times (1, s, q, u, n)."""
+    moved = moves @ summed[..., _SQUARE] @ np.swapaxes(moves, -1, -2)
     return np.asarray(moved[..., _PAIRS[0], _PAIRS[1]])
 
 

@@ -30,6 +30,7 @@ def strip_points(
     radius = float(np.hypot(reach, 0.5 * reach) + half_width)
     balls = cloud.tree.query_ball_point(centres, radius, return_sorted=False)
     index = np.unique(np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls]))
+    index = _each_place_once(cloud.points, index)
     points = cloud.points[index]
     _, nearest = cKDTree(frames.origin).query(points)
     neighbours = int(np.ceil(half_width / max(float(np.diff(path.at).min()), 1e-3 * spacing) + 0.5))
@@ -49,3 +50,14 @@ def strip_points(
             for name in ("index", "owner", "along", "side", "away", "height")
         )
     )
+
+
+def _each_place_once(points: np.ndarray, index: np.ndarray) -> np.ndarray:
+    """Leave out points that repeat another one exactly: they are no measurement of their own."""
+    x, y, z = points[index].T
+    # Equal points have an equal sum, and others only by chance.
+    total = x + np.sqrt(2.0) * y + np.sqrt(3.0) * z
+    order = np.argsort(total, kind="stable")
+    first = points[index[order]]
+    repeats = np.append(False, np.all(first[1:] == first[:-1], axis=1))
+    return np.sort(index[order[~repeats]])

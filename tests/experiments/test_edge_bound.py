@@ -10,9 +10,10 @@ import pytest
 
 from freecad_edgescan.experiments import run_doe
 from freecad_edgescan.experiments.doe_design import Trial, trial
-from freecad_edgescan.experiments.doe_scan import mahalanobis, scan_trial, trial_cloud
+from freecad_edgescan.experiments.doe_scan import off_the_edge, scan_trial, trial_cloud
 from freecad_edgescan.experiments.doe_tables import honesty_table
 from freecad_edgescan.experiments.edge_bound import edge_bound
+from freecad_edgescan.experiments.honesty import mahalanobis
 from freecad_edgescan.scanning.corner import across_axes
 
 PATCH = ("patch", 0)
@@ -80,7 +81,9 @@ def test_a_distance_is_measured_in_the_stated_standard_deviations() -> None:
         way = across_axes(edge.normals)[:, axis]
         way = np.einsum("mi,mi->m", way, radial)[:, None] * radial + way * [0.0, 0.0, 1.0]
         moved = replace(edge, points=exact + 0.3 * way, covariance=covariance)
-        assert mahalanobis(row, moved) == pytest.approx(0.3 / sigma, rel=0.05)
+        assert mahalanobis(moved, off_the_edge(row, moved.points)) == pytest.approx(
+            0.3 / sigma, rel=0.05
+        )
 
 
 def test_the_table_tells_how_honest_the_scans_are() -> None:

@@ -11,7 +11,7 @@ from freecad_edgescan.scanning.side_fit import BLOCKS, SideFits
 REACH = 7.0
 
 
-def exact_fits(coefficients, variance=1e-6, inverse=None):
+def exact_fits(coefficients, variance=1e-6, inverse=None, expectation=0.0):
     """Fits as if the sides were known: coefficients (2, 4) in mm, 1, 1/mm, 1."""
     c = np.asarray(coefficients, dtype=float) * [1 / REACH, 1.0, REACH, 1.0]
     inverse = np.eye(4) if inverse is None else inverse
@@ -24,6 +24,7 @@ def exact_fits(coefficients, variance=1e-6, inverse=None):
         np.array([[[0, BLOCKS]] * 2]),
         np.ones((1, 2), dtype=bool),
         np.zeros((1, 2)),
+        np.broadcast_to(expectation, (1, 2)),
     )
 
 
@@ -154,3 +155,23 @@ def test_covariance_with_a_probe_is_the_scatter_of_corners_of_scattered_sides():
         drawn.append(corners(frame, exact_fits(c), -1.0).shift[0])
     seen = np.cov(np.array(drawn).T)
     assert stated.covariance[0] == pytest.approx(seen, rel=0.1, abs=0.03 * seen.max())
+
+
+def test_what_neighbours_share_is_what_an_error_of_the_expected_curvature_does():
+    """A curvature expected with the variance 1/weight, and 40 points that tell it, too."""
+    frame, _, outward = wedge_frame(110)
+    exact = np.asarray(circles_in(frame, 20.0 * outward, (20.0, 20.0)))
+    away = np.linspace(0.1, 1.0, 40)
+    terms = np.column_stack([np.ones(40), away, 0.5 * away**2, np.zeros(40)])
+    weight, expected = 5.0, np.diag([0.0, 0.0, 5.0, 1.0])
+    inverse = np.linalg.inv(terms.T @ terms + expected)
+    stated = corners(frame, exact_fits(exact, 1e-6, inverse, weight))
+    drawn = []
+    for error in (1e-4, -1e-4):  # of both sides' expected curvature, in reaches
+        moved = exact + error * weight * inverse[:, 2] * [REACH, 1.0, 1 / REACH, 1.0]
+        drawn.append(corners(frame, exact_fits(moved)).shift[0])
+    by_both = (drawn[0] - drawn[1]) / 2e-4 * np.sqrt(1e-6 / weight)
+    # Errors of the two sides are independent: alike they move the edge along the first axis.
+    assert by_both[1] == pytest.approx(0.0, abs=1e-6)
+    assert stated.shared[0, 0, 0] == pytest.approx(by_both[0] ** 2 / 2.0, rel=0.01)
+    assert np.all(np.linalg.eigvalsh(stated.covariance[0] - stated.shared[0]) > 0.0)

@@ -8,9 +8,9 @@ import pytest
 
 from freecad_edgescan.geometry.frames import rotate
 from freecad_edgescan.scanning.edge_path import EdgePath
-from freecad_edgescan.scanning.neighbours import borrowed
+from freecad_edgescan.scanning.neighbours import Neighbours
 from freecad_edgescan.scanning.section import Frames, frames_from_sides, section_points
-from freecad_edgescan.scanning.side_fit import block_moments
+from freecad_edgescan.scanning.side_fit import BLOCKS, block_moments, sum_stretches
 from freecad_edgescan.scanning.stop import Stop
 
 REACH = 5.0
@@ -69,10 +69,30 @@ def test_borrowed_are_the_neighbours_points(bent, step):
             points = frame.origin[0] + plane + along[:, None] * frame.tangent[0]
         groups.append((points, sides))
     own = moments_of(edge.frames, groups)
-    seen = borrowed(own, edge, step, 10.0 * REACH)
+    neighbours = Neighbours(edge, 10.0 * REACH)
+    seen = neighbours.borrowed(own, step)
     for k in range(SECTIONS):
         if not 0 <= k + step < SECTIONS:
             assert not seen[k].any()
             continue
         expected = moments_of(edge.frames[k], [groups[k + step]])[0]
         assert seen[k] == pytest.approx(expected, rel=1e-6, abs=1e-6 if not bent else 2e-3)
+    some = np.array([1, 4])
+    assert neighbours.borrowed(own, step, some) == pytest.approx(seen[some])
+
+
+@pytest.mark.parametrize("width", [1, 3, 9])
+def test_pooled_is_the_sum_of_what_is_borrowed(width):
+    """Blocks pooled and then summed over a stretch, or the other way round, and not too many."""
+    rng = np.random.default_rng(2)
+    edge = path(False, rng)
+    neighbours = Neighbours(edge, 10.0 * REACH)
+    blocks = rng.random((SECTIONS, 2, BLOCKS, 15))
+    stretch = np.tile([3, 9], (SECTIONS, 2, 1))
+    near = range(-min(width, 3), min(width, 3) + 1)
+    expected = blocks + sum(neighbours.borrowed(blocks, step) for step in near if step)
+    pooled = neighbours.pooled(blocks, width)
+    assert pooled == pytest.approx(expected)
+    assert neighbours.pooled(blocks, width, np.array([0, 5])) == pytest.approx(pooled[[0, 5]])
+    summed = neighbours.pooled_stretches(blocks, stretch, width)
+    assert summed == pytest.approx(sum_stretches(pooled, stretch))

@@ -132,13 +132,28 @@ def test_one_click_on_a_rim_of_the_core_box_traces_it(box, rim):
     assert set(edge.stops) == {Stop.CLOUD_END}
 
 
-def test_rounded_rims_of_the_core_box_are_scanned_as_sharp_ones():
-    part = CoreBox.small(rim_radius=0.8)
+def test_rounded_rims_of_the_core_box_are_found_where_the_sharp_ones_were():
+    part = CoreBox(rim_radius=0.8)
     cloud = part.cloud()
-    for k, truth in enumerate(part.edges):
-        edge = scan_edge(cloud, Start(*part.starts(10.0)[k]), Gate(*part.gates(10.0)[k]))
-        assert edge.stops == (Stop.START, Stop.GATE)
-        assert truth.distance(edge.points).mean() < 0.05
+    for truth in part.edges:
+        edge = scan_edge(cloud, at=truth.points[len(truth) // 2])
+        assert truth.traced_share(edge.points, cloud.pitch) > 0.98
+        assert truth.distance(edge.points).mean() < 0.025
+        assert np.nanmedian(edge.fillet_radius) == pytest.approx(0.8, rel=0.15)
+
+
+@pytest.mark.xfail(
+    strict=True, reason="in a pipe of 8 mm the rounding takes a fifth of the wall: off by 0.06 mm"
+)
+def test_rounded_rims_of_a_narrow_pipe_are_found_where_the_sharp_ones_were():
+    part = CoreBox.small(rim_radius=0.8)
+    away = []
+    for seed in range(2):
+        cloud = part.cloud(seed=seed)
+        for truth in part.edges:
+            edge = scan_edge(cloud, at=truth.points[len(truth) // 2])
+            away.append(truth.distance(edge.points).mean())
+    assert max(away) < 0.025
 
 
 def test_tangents_follow_the_edge_within_a_degree():

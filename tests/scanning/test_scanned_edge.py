@@ -96,7 +96,7 @@ def test_the_curve_lies_nearer_to_the_edge_than_its_points(right_angle):
     part, edge = right_angle
     curve = edge.curve()
     sample = curve.sample(200)
-    assert part.distance(sample).mean() < part.distance(edge.points).mean()
+    assert part.distance(sample).mean() < part.distance(edge.unsmoothed.points).mean()
     assert part.distance(sample).max() < 2 * NOISE
     low, high = curve.parameter_range
     ends = part.place_along(np.array([curve.evaluate(low), curve.evaluate(high)]))
@@ -133,7 +133,8 @@ def test_scan_lines_show_the_edge_points(right_angle):
     for j in range(len(edge)):
         line = edge.scan_lines[j]
         assert line.origin + line.edge_point @ line.axes == pytest.approx(edge.points[j], abs=1e-9)
-        assert line.meeting_point == pytest.approx(line.edge_point)
+        meeting = line.origin + line.meeting_point @ line.axes
+        assert meeting == pytest.approx(edge.unsmoothed.points[j], abs=1e-9)
 
 
 def test_with_a_probe_the_sides_meet_one_radius_away_from_both_surfaces(wedge):

@@ -1,0 +1,246 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Edge points smoothed along the edge with their known covariance.
+
+An edge runs on smoothly; what its points scatter about a short parabola is noise. Each edge point
+becomes the value at its own section of a weighted least-squares parabola (of a line where the whole
+edge is one) through its neighbours. How many of these are asked is decided at each section: the
+parabola over a longer stretch is taken as long as it agrees with all those over shorter ones
+(Lepski, Theory of Probability and its Applications 35, 1991), so that a real change of the edge
+stays.
+
+The points are not independent: their slabs overlap, and they share what is known about the sides'
+curvature. Both are known, and with them the covariance of any weighted mean.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .corner import Corners, across_axes
+from .edge_points import Measured
+from .pooling import shared_between
+
+_FARTHEST = 16.0  # pitches of the cloud, that a neighbour may be away
+_MOST_TURNED = 0.8  # rad, that the edge may bend up to there
+_MOST = 12  # neighbours on each side at most
+_LENGTHS = (0.3, 0.5, 0.75, 1.0)  # of the longest stretch, that are tried
+_AGREE = 9.2  # squared Mahalanobis distance beyond which two estimates differ (99 %)
+_ASTRAY = 16.0  # the same, of a point from what its neighbours say of it
+# So many such points in a row are a mistake: stretches of the sides are decided for three sections
+# at a time. More of them are the edge.
+_FEW = 4
+
+
+@dataclass(frozen=True)
+class Smoothed:
+    """Edge points of m sections.
+
+    Attributes
+    ----------
+    point : (m, 3) array, mm
+    covariance : (m, 2, 2) mm², in the axes of `across_axes` of the frames
+    """
+
+    point: np.ndarray
+    covariance: np.ndarray
+
+
+def smoothed(
+    measured: Measured, edge: Corners, cloud_pitch: float, closed: bool, straight: bool
+) -> Smoothed:
+    """Smooth edge points along the edge.
+
+    Parameters
+    ----------
+    measured : the sections
+    edge : their edge points
+    cloud_pitch : mm
+    closed : whether the last one leads back to the first
+    straight : whether all of them are known to lie on one straight line
+    """
+    raw = Smoothed(edge.point, edge.covariance)
+    near = _Neighbours.around(measured, edge, _FARTHEST * cloud_pitch, closed, straight)
+    if near is None:
+        return raw
+    degree = 1 if straight else 2
+    trusted = near.inside & ~_astray(near, degree)
+    values, covariances, weights = [np.zeros_like(near.off[:, 0])], [edge.covariance], [near.own()]
+    taken = np.zeros(len(edge.point), dtype=np.int64)
+    alone = ~trusted[:, near.reach]  # what such a section says itself is no evidence
+    good = [~alone]
+    for share in _LENGTHS:
+        width = max(round(share * near.reach), degree + 1)
+        weight, found = near.parabola(trusted & near.within(width), degree)
+        value, covariance = near.mean(weight)
+        agrees = found.copy()
+        for before, other, known in zip(values, weights, good, strict=True):
+            gap = near.covariance(weight - other)
+            agrees &= (_distance(value - before, gap) <= _AGREE) | ~known
+        better = agrees & _smaller(covariance, np.array(covariances)[taken, np.arange(len(taken))])
+        better |= agrees & alone & (taken == 0)
+        values.append(value)
+        covariances.append(covariance)
+        weights.append(weight)
+        good.append(agrees)
+        taken[better] = len(values) - 1
+    rows = np.arange(len(taken))
+    shift = np.array(values)[taken, rows]
+    axes = across_axes(measured.frames.normals)
+    return Smoothed(
+        edge.point + np.einsum("ma,mai->mi", shift, axes), np.array(covariances)[taken, rows]
+    )
+
+
+@dataclass(frozen=True)
+class _Neighbours:
+    """What the neighbours of m sections say, k of them round each section.
+
+    Attributes
+    ----------
+    reach : number of neighbours on each side; k = 2 reach + 1
+    inside : (m, k) whether there is one
+    along : (m, k) how far it is along the edge, in units of the farthest
+    off : (m, k, 2) how far its point is beside the section's own, mm
+    precision : (m, k) inverse variance of its own scatter, 1/mm²
+    overlap, shared : (m, k, k) correlations of own scatter, and of what is shared
+    own_root, shared_root : (m, k, 2, 2) roots of the two parts of the covariance, mm
+    """
+
+    reach: int
+    inside: np.ndarray
+    along: np.ndarray
+    off: np.ndarray
+    precision: np.ndarray
+    overlap: np.ndarray
+    shared: np.ndarray
+    own_root: np.ndarray
+    shared_root: np.ndarray
+
+    @staticmethod
+    def around(
+        measured: Measured, edge: Corners, farthest: float, closed: bool, straight: bool
+    ) -> _Neighbours | None:
+        """Gather the neighbours; None where there are too few."""
+        count, at = len(edge.point), measured.at
+        spacing = float(np.median(np.diff(at))) if count > 1 else 0.0
+        if spacing <= 0.0:
+            return None
+        reach = int(min(_MOST, farthest / spacing, (count - 1) // 2))
+        if reach < 2:
+            return None
+        step = np.arange(-reach, reach + 1)
+        which = np.arange(count)[:, None] + step
+        inside = np.full(which.shape, True) if closed else (which >= 0) & (which < count)
+        which = which % count if closed else np.clip(which, 0, count - 1)
+        away = edge.point[which] - edge.point[:, None]
+        axes = across_axes(measured.frames.normals)
+        along = np.einsum("mi,mki->mk", measured.frames.tangent, away)
+        bend = (0.0 if straight else 1.0) * np.einsum("mai,mi->ma", axes, measured.frames.bend)
+        turned = np.linalg.norm(bend, axis=1)[:, None] * np.abs(along)
+        inside &= (np.abs(along) <= farthest) & (turned < _MOST_TURNED)
+        # What the bend of the edge explains; a parabola alone is no circle.
+        turned = np.minimum(turned, _MOST_TURNED)
+        explained = along**2 / (1.0 + np.sqrt(1.0 - turned**2))
+        shared_part, own_part = edge.shared, edge.covariance - edge.shared
+        scatter = np.trace(own_part, axis1=-2, axis2=-1)
+        half = measured.half_length[which]
+        # Sections of a window are numbered in their order, also over the seam of a closed edge.
+        low, high = along - half, along + half
+        common = np.minimum(high[:, :, None], high[:, None])
+        common -= np.maximum(low[:, :, None], low[:, None])
+        size = np.sqrt(4.0 * half[:, :, None] * half[:, None])
+        overlap = np.clip(common / size, 0.0, 1.0)
+        overlap[:, np.arange(len(step)), np.arange(len(step))] = 1.0
+        shared = shared_between(count, closed, 2 * reach)
+        earlier = which[:, np.minimum(np.arange(len(step))[:, None], np.arange(len(step)))]
+        return _Neighbours(
+            reach,
+            inside,
+            along / farthest,
+            np.einsum("mai,mki->mka", axes, away) - explained[..., None] * bend[:, None],
+            1.0 / np.maximum(scatter[which], 1e-12 * float(scatter.max(initial=1e-12))),
+            overlap,
+            shared[earlier, np.abs(step[:, None] - step)],
+            _root(own_part)[which],
+            _root(shared_part)[which],
+        )
+
+    def within(self, width: int) -> np.ndarray:
+        """Which neighbours are at most so many sections away, (k,) bool."""
+        return np.abs(np.arange(-self.reach, self.reach + 1)) <= width
+
+    def own(self) -> np.ndarray:
+        """Weights (m, k) of the section itself."""
+        weight = np.zeros(self.along.shape)
+        weight[:, self.reach] = 1.0
+        return weight
+
+    def parabola(self, used: np.ndarray, degree: int) -> tuple[np.ndarray, np.ndarray]:
+        """Weights (m, k) that give a least-squares polynomial's value, and where there is one."""
+        power = self.along[..., None] ** np.arange(degree + 1)
+        weighted = power * (self.precision * used)[..., None]
+        normal = np.einsum("mki,mkj->mij", weighted, power)
+        found = used.sum(axis=1) >= degree + 2
+        size = np.sqrt(np.maximum(np.einsum("mii->mi", normal), 1e-300))
+        scaled = normal / size[:, :, None] / size[:, None]
+        found &= np.linalg.cond(scaled) < 1e8
+        scaled = np.where(found[:, None, None], scaled, np.eye(degree + 1))
+        first = np.linalg.inv(scaled)[:, 0] / size[:, :1] / size
+        return np.where(found[:, None], np.einsum("mki,mi->mk", weighted, first), 0.0), found
+
+    def mean(self, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Weighted mean (m, 2) of the neighbours, mm, and its covariance (m, 2, 2)."""
+        return np.einsum("mk,mka->ma", weight, self.off), self.covariance(weight)
+
+    def covariance(self, weight: np.ndarray) -> np.ndarray:
+        """Covariance (m, 2, 2) of a weighted sum, mm²."""
+        total = np.zeros((len(weight), 2, 2))
+        for alike, root in ((self.overlap, self.own_root), (self.shared, self.shared_root)):
+            moved = weight[:, :, None, None] * root
+            flat = moved.reshape(*moved.shape[:2], 4)
+            seen = np.matmul(alike, flat).reshape(moved.shape)
+            total += np.einsum("mkab,mkcb->mac", moved, seen)
+        return total
+
+
+def _astray(near: _Neighbours, degree: int) -> np.ndarray:
+    """Which neighbours (m, k) are among few points that the others say are somewhere else."""
+    # What is mistaken together is not asked about itself.
+    others = near.inside & ~near.within(min(_FEW, near.reach // 3))
+    weight, found = near.parabola(others, degree)
+    value, _ = near.mean(weight)
+    # What its neighbours say of a section's point, whose own place is zero.
+    far = found & (_distance(value, near.covariance(weight - near.own())) > _ASTRAY)
+    single = far.copy()
+    for part in _runs(far):
+        if part.stop - part.start > _FEW:
+            single[part] = False
+    count = len(far)
+    which = (np.arange(count)[:, None] + np.arange(-near.reach, near.reach + 1)) % count
+    return single[which]
+
+
+def _runs(chosen: np.ndarray) -> list[slice]:
+    """Runs of neighbouring True values."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], chosen.astype(np.int8), [0]])))
+    return [slice(begin, end) for begin, end in edges.reshape(-1, 2).tolist()]
+
+
+def _distance(gap: np.ndarray, covariance: np.ndarray) -> np.ndarray:
+    """Squared Mahalanobis distance, (m,)."""
+    return np.einsum("ma,mab,mb->m", gap, np.linalg.pinv(covariance, hermitian=True), gap)
+
+
+def _smaller(covariance: np.ndarray, other: np.ndarray) -> np.ndarray:
+    return np.trace(covariance, axis1=-2, axis2=-1) < np.trace(other, axis1=-2, axis2=-1)
+
+
+def _root(covariance: np.ndarray) -> np.ndarray:
+    """Symmetric matrices (m, 2, 2) whose square is the covariance.
+
+    Symmetric ones are alike where covariances are; those of Cholesky or of eigenvectors need not.
+    """
+    values, vectors = np.linalg.eigh(covariance)
+    return np.einsum("mai,mi,mbi->mab", vectors, np.sqrt(np.maximum(values, 0.0)), vectors)

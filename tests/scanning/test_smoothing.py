@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Smoothing along an edge: nearer to the truth, no farther than stated, and no change lost."""
+
+import copy
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from freecad_edgescan.cloud import PointCloud, TorusObject
+from freecad_edgescan.scanning import ScanParameters, scan_edge
+from freecad_edgescan.scanning.corner import across_axes
+from freecad_edgescan.scanning.section import frames_from_sides
+from freecad_edgescan.scanning.smoothing import smoothed
+
+SIGMA = 0.01  # mm
+
+
+def root_mean_square(values):
+    return np.sqrt(np.mean(np.square(values)))
+
+
+def test_on_a_straight_edge_it_halves_the_error(wedge):
+    before, after = [], []
+    for seed in range(6):
+        part = wedge(90.0, noise=0.03, length=40.0, width=10.0, seed=seed)
+        edge = scan_edge(part.cloud, part.at(0.1, 0.4))
+        before.append(part.distance(edge.unsmoothed.points))
+        after.append(part.distance(edge.points))
+    before, after = (root_mean_square(np.concatenate(part)) for part in (before, after))
+    assert after < 0.65 * before
+
+
+@pytest.mark.parametrize("radius", [12.0, 40.0])
+def test_a_bent_edge_is_not_drawn_inwards(radius):
+    """A mean over a chord would be off by its height, half a millimetre on the smaller circle."""
+    part = TorusObject(section_radius=60.0, edge_radius=radius, angle=np.pi / 2)
+    outwards, sigma = [], []
+    for seed in range(4):
+        cloud = part.cloud(pitch=0.4, amplitude=12.0, noise=0.05, seed=seed)
+        truth = cloud.edges[0]
+        edge = scan_edge(
+            cloud, truth.points[len(truth) // 2], parameters=ScanParameters(edge_pitch=0.6)
+        )
+        middle = edge.points[5:-5]
+        outwards.append(np.hypot(middle[:, 0], middle[:, 1]).mean() - radius)
+        sigma.append(edge.sigma.mean())
+    assert abs(np.mean(outwards)) < 0.5 * np.mean(sigma)
+
+
+def test_a_sharp_bend_of_the_edge_stays():
+    """Two straight pieces that meet under 12°: the edge between two planes and a bent roof."""
+    rng = np.random.default_rng(4)
+    turn = np.radians(12.0)
+    x, y = rng.uniform(-20.0, 20.0, (2, 20000))
+    z = -np.abs(y - np.maximum(x, 0.0) * np.tan(turn))
+    cloud = PointCloud(np.column_stack([x, y, z]) + rng.normal(0.0, 0.02, (len(x), 3)))
+    edge = scan_edge(cloud, at=(-8.0, 0.2, 0.0))
+    x, y, _ = edge.points.T
+    off = y - np.maximum(x, 0.0) * np.tan(turn)
+    assert x.max() > 10.0
+    # Half an edge pitch round the bend the sections themselves see both pieces.
+    assert root_mean_square(off) < 0.05
+    single = edge.unsmoothed.points
+    worst = np.abs(single[:, 1] - np.maximum(single[:, 0], 0.0) * np.tan(turn)).max()
+    assert np.abs(off).max() < worst + 0.02
+
+
+def test_few_points_that_their_neighbours_contradict_give_way():
+    """A few sections are moved by ten of their standard deviations, or many are."""
+    measured, edge = straight_sections()
+    for count, gives_way in ((1, True), (3, True), (8, False)):
+        point = edge.point.copy()
+        point[20 : 20 + count, 1] += 10.0 * SIGMA
+        moved = copy.copy(edge)
+        moved.point = point
+        after = smoothed(measured, moved, 0.5, closed=False, straight=True).point[20, 1]
+        assert (abs(after) < 2.0 * SIGMA) == gives_way
+
+
+def test_sections_that_share_nothing_and_scatter_are_averaged_by_their_own_variance():
+    """Errors drawn with the stated covariance: what is stated of their mean is its scatter."""
+    off, stated = [], []
+    for seed in range(40):
+        measured, edge = straight_sections(seed)
+        after = smoothed(measured, edge, 0.5, closed=False, straight=True)
+        off.append(after.point[8:-8, 1])
+        stated.append(after.covariance[8:-8, 0, 0])
+    assert np.mean(stated) == pytest.approx(np.mean(np.square(off)), rel=0.15)
+    assert np.sqrt(np.mean(stated)) < 0.35 * SIGMA
+
+
+def straight_sections(seed=None):
+    """Sections on the x axis, 0.5 mm apart, that share no points, scattered across it or not."""
+    count = 41
+    one = np.ones((count, 1))
+    sides = np.broadcast_to([[0.0, -1.0, 0.0], [0.0, 0.0, -1.0]], (count, 2, 3))
+    origin = np.column_stack([0.5 * np.arange(count), np.zeros((count, 2))])
+    frames = frames_from_sides(origin, one * [1.0, 0.0, 0.0], sides)
+    scatter = np.zeros((count, 2))
+    if seed is not None:
+        scatter = SIGMA * np.random.default_rng(seed).normal(size=(count, 2))
+    axes = across_axes(frames.normals)
+    measured = SimpleNamespace(frames=frames, at=origin[:, 0], half_length=np.full(count, 0.25))
+    edge = SimpleNamespace(
+        point=origin + np.einsum("ma,mai->mi", scatter, axes),
+        covariance=np.broadcast_to(SIGMA**2 * np.eye(2), (count, 2, 2)),
+        shared=np.zeros((count, 2, 2)),
+    )
+    return measured, edge
+
+
+def test_curves_are_fitted_to_what_was_measured(wedge):
+    part = wedge(90.0, noise=0.03)
+    edge = scan_edge(part.cloud, part.at(0.1, 0.4))
+    assert edge.curve().poles == pytest.approx(edge.unsmoothed.curve().poles, abs=1e-12)
+    assert edge.unsmoothed.unsmoothed is edge.unsmoothed
+    backward = edge.reversed()
+    assert backward.unsmoothed.points == pytest.approx(edge.unsmoothed.points[::-1])
