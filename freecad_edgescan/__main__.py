@@ -130,41 +130,9 @@ def _bench(options: argparse.Namespace) -> int:
 
 
 def _accuracy(options: argparse.Namespace) -> int:
-    if options.wedges is not None:
-        return _wedges(options)
-    if options.sharp:
-        raise ValueError("--sharp belongs to --wedges; give it, or leave --sharp out.")
-    from freecad_edgescan.document.part_report import block_with_bore, read_part, report_part
+    from freecad_edgescan.accuracy_command import measure
 
-    parts = [(file.name, read_part(file)) for file in options.parts]
-    for number, (name, shape) in enumerate(parts or [("block with bore", block_with_bore())]):
-        with TerminalProgress(name) as progress:
-            report = report_part(
-                shape,
-                name,
-                options.pitch,
-                options.noise,
-                options.probe_radius,
-                options.seed,
-                progress,
-            )
-        print(("\n" if number else "") + report.text())
-        if progress.cancelled:
-            return exit_code(progress)
-    return 0
-
-
-def _wedges(options: argparse.Namespace) -> int:
-    from freecad_edgescan.experiments.wedge_search import search, wedge_table
-
-    if options.parts:
-        raise ValueError("--wedges are scanned instead of parts; leave --parts out.")
-    if options.wedges < 1:
-        raise ValueError(f"--wedges is {options.wedges}; give 1 or more.")
-    with TerminalProgress("wedges") as progress:
-        found = search(options.wedges, not options.sharp, 100_000 * options.seed, progress=progress)
-    print(wedge_table(found))
-    return exit_code(progress, bool(found))
+    return measure(options)
 
 
 def _doe(options: argparse.Namespace) -> int:

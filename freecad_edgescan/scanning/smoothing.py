@@ -28,6 +28,7 @@ _MOST = 12  # neighbours on each side at most
 _LENGTHS = (0.3, 0.5, 0.75, 1.0)  # of the longest stretch, that are tried
 _AGREE = 9.2  # squared Mahalanobis distance beyond which two estimates differ (99 %)
 _ASTRAY = 16.0  # the same, of a point from what its neighbours say of it
+_MOST_MISFIT = 2.0  # variances, of those whose word is taken
 # So many such points in a row are a mistake: stretches of the sides are decided for three sections
 # at a time. More of them are the edge.
 _FEW = 4
@@ -190,6 +191,14 @@ class _Neighbours:
         first = np.linalg.inv(scaled)[:, 0] / size[:, :1] / size
         return np.where(found[:, None], np.einsum("mki,mi->mk", weighted, first), 0.0), found
 
+    def misfit(self, used: np.ndarray, degree: int) -> np.ndarray:
+        """Mean square of the neighbours' distances from the polynomial, in variances, (m,)."""
+        power = self.along[..., None] ** np.arange(degree + 1)
+        root = np.sqrt(self.precision * used)[..., None]
+        best = np.linalg.pinv(power * root) @ (self.off * root)
+        left = np.sum(np.square((self.off - power @ best) * root), axis=(1, 2))
+        return left / np.maximum(used.sum(axis=1) - degree - 1, 1)
+
     def mean(self, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Weighted mean (m, 2) of the neighbours, mm, and its covariance (m, 2, 2)."""
         return np.einsum("mk,mka->ma", weight, self.off), self.covariance(weight)
@@ -213,6 +222,8 @@ def _astray(near: _Neighbours, degree: int) -> np.ndarray:
     value, _ = near.mean(weight)
     # What its neighbours say of a section's point, whose own place is zero.
     far = found & (_distance(value, near.covariance(weight - near.own())) > _ASTRAY)
+    # Where the edge is no parabola, as where a line becomes an arc, its neighbours say nothing.
+    far &= near.misfit(others, degree) < _MOST_MISFIT
     single = far.copy()
     for part in _runs(far):
         if part.stop - part.start > _FEW:

@@ -12,16 +12,20 @@ FreeCAD = pytest.importorskip("FreeCAD")
 Part = pytest.importorskip("Part")
 
 from freecad_edgescan.__main__ import main  # noqa: E402
-from freecad_edgescan.document.part_report import (  # noqa: E402
+from freecad_edgescan.document.known_parts import (  # noqa: E402
     block_with_bore,
-    read_part,
-    report_part,
+    filleted,
+    sharp_part,
+    simple_parts,
 )
+from freecad_edgescan.document.part_report import read_part, report_part  # noqa: E402
 
 
 @pytest.fixture(scope="module")
 def report():
-    return report_part(Part.makeBox(20.0, 20.0, 10.0), "small block", pitch=0.5, noise=0.02)
+    return report_part(
+        sharp_part("small block", Part.makeBox(20.0, 20.0, 10.0)), pitch=0.5, noise=0.02
+    )
 
 
 def test_every_edge_of_a_block_is_traced_from_one_click_at_its_middle(report) -> None:
@@ -42,13 +46,13 @@ def test_a_cancelled_report_keeps_the_edges_so_far() -> None:
         def update(self, fraction: float, so_far: object) -> bool:
             return fraction < 0.2
 
-    part = report_part(Part.makeBox(20, 20, 10), "block", 0.5, 0.02, progress=Stopper())
+    part = report_part(sharp_part("block", Part.makeBox(20, 20, 10)), 0.5, 0.02, progress=Stopper())
     assert len(part.rows) == 3
 
 
 @pytest.mark.slow
 def test_the_block_with_a_bore_meets_the_promise_at_thirteen_edges_of_fourteen() -> None:
-    report = report_part(block_with_bore(), "block with bore", pitch=0.6, noise=0.12)
+    report = report_part(sharp_part("block with bore", block_with_bore()), pitch=0.6, noise=0.12)
     assert len(report.rows) == 14
     good = [row for row in report.traced if row.rms <= 0.15]
     assert len(good) >= 13
@@ -87,3 +91,28 @@ def test_truth_and_scan_share_their_frame(report) -> None:
     low, high = report.cloud.bounds
     np.testing.assert_allclose(low, (0, 0, 0), atol=0.1)
     np.testing.assert_allclose(high, (20, 20, 10), atol=0.1)
+
+
+def test_the_sharp_edges_are_found_under_fillets() -> None:
+    """To the noise and a fiftieth of the radius."""
+    part = filleted("block", Part.makeBox(40.0, 40.0, 30.0), radius=1.5, pitch=0.5)
+    report = report_part(part, 0.5, 0.1)
+    good = [row for row in report.rows if row.rms <= 0.1 + 0.02 * 1.5]
+    assert len(report.rows) == 12
+    assert len(good) >= 11
+    assert sum(row.wandering for row in report.rows) == 0
+
+
+def test_a_fillet_too_large_for_every_edge_is_one_sentence() -> None:
+    with pytest.raises(ValueError, match="No edge of block can be rounded"):
+        filleted("block", Part.makeBox(5.0, 5.0, 5.0), radius=4.0, pitch=0.5)
+
+
+def test_the_simple_parts_have_one_edge_each_which_is_theirs() -> None:
+    planes, rounded, rim = simple_parts()
+    for part in (planes, rounded):
+        np.testing.assert_allclose(part.edges[0].distance([[30.0, 0.0, 30.0]]), 0.0, atol=1e-9)
+        assert not part.edges[0].closed
+    assert rounded.shape.Volume < planes.shape.Volume
+    radius = np.hypot(*rim.edges[0].points[:, :2].T)
+    np.testing.assert_allclose(radius, 20.0, atol=1e-4)

@@ -117,3 +117,27 @@ def test_curves_are_fitted_to_what_was_measured(wedge):
     assert edge.unsmoothed.unsmoothed is edge.unsmoothed
     backward = edge.reversed()
     assert backward.unsmoothed.points == pytest.approx(edge.unsmoothed.points[::-1])
+
+
+def test_where_a_line_becomes_an_arc_the_edge_is_not_cut_short():
+    """A slot's end: half a circle of seven pitches between two straight pieces."""
+    rng = np.random.default_rng(3)
+    radius = 3.5
+    x, y = rng.uniform([-14.0, -9.0], [9.0, 9.0], (6000, 2)).T
+    away = np.where(x > 0.0, np.hypot(x, y), np.abs(y)) - radius
+    floor = np.column_stack([x, y, np.zeros(len(x))])[away > 0.0]
+    along, depth = rng.uniform([-14.0, -8.0], [14.0 + np.pi * radius, 0.0], (6000, 2)).T
+    turn = np.clip(along, 0.0, np.pi * radius) / radius - np.pi / 2
+    back = np.where(along < 0.0, along, np.minimum(np.pi * radius - along, 0.0))
+    wall = np.column_stack([radius * np.cos(turn) + back, radius * np.sin(turn), depth])
+    points = np.vstack([floor, wall[wall[:, 0] > -14.0]])
+    cloud = PointCloud(points + rng.normal(0.0, 0.02, points.shape))
+    edge = scan_edge(cloud, at=(radius, 0.0, 0.0), parameters=ScanParameters(edge_pitch=0.5))
+
+    def off(points):
+        x, y, z = points.T
+        return np.hypot(np.where(x > 0.0, np.hypot(x, y), np.abs(y)) - radius, z)
+
+    assert edge.points[:, 0].min() < -5.0
+    assert root_mean_square(off(edge.points)) < 1.1 * root_mean_square(off(edge.unsmoothed.points))
+    assert off(edge.points).max() < 0.1
