@@ -26,7 +26,7 @@ def edge_shape(edge: ScannedEdge) -> Any:
     Returns
     -------
     Part.Edge: a line, circle or arc where that explains the edge points as well, else a cubic
-    B-spline.
+    B-spline; from vertex to vertex where these are known.
 
     Raises
     ------
@@ -37,7 +37,7 @@ def edge_shape(edge: ScannedEdge) -> Any:
             f"The edge has {len(edge.points)} edge points, too few for a curve. {edge.message}"
         )
     if edge.line is not None:
-        return _segment(edge.line, edge.points)
+        return _segment(edge.line, edge.vertex_to_vertex)
     if edge.circle is not None:
         return _arc(edge.circle, edge)
     return curve_shape(edge.curve())
@@ -68,7 +68,7 @@ def _segment(line: Line, points: ArrayLike) -> Any:
 def _arc(circle: Circle, edge: ScannedEdge) -> Any:
     if edge.closed:
         return Part.Circle(_vector(circle.centre), _vector(circle.axis), circle.radius).toShape()
-    angles = circle.angles(edge.points)
+    angles = circle.angles(edge.vertex_to_vertex)
     first, last = float(angles[0]), float(angles[-1])
     places = circle.evaluate(np.array([first, (first + last) / 2.0, last]))
     return Part.Arc(*(_vector(place) for place in places)).toShape()

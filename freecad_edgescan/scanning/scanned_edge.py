@@ -140,7 +140,7 @@ class ScannedEdge:
         )
 
     def curve(self, tolerance: float | None = None) -> BSplineCurve:
-        """Weighted cubic B-spline in as few poles as explain the points.
+        """Weighted cubic B-spline in as few poles as explain the points, from vertex to vertex.
 
         It lies in a plane when one explains the points as well: most edges bound a plane face, and
         what leaves the plane is noise, in which sweeps would turn.
@@ -153,12 +153,27 @@ class ScannedEdge:
         from ..geometry import common_plane, fit_curve
 
         edge = self.unsmoothed if tolerance is None else self
-        points, covariance = edge.points, edge.covariance_3d
-        curve = fit_curve(points, edge.sigma, covariance, None, self.closed, tolerance)
+        points, covariance = edge._with_vertices()
+        sigma = np.sqrt(np.maximum(np.linalg.eigvalsh(covariance)[:, -1], 0.0))
+        curve = fit_curve(points, sigma, covariance, None, self.closed, tolerance)
         if tolerance is not None:
             return curve
         plane = common_plane(points, covariance, self.closed)
         return curve if plane is None else curve.flattened(plane)
+
+    @property
+    def vertex_to_vertex(self) -> np.ndarray:
+        """The edge points, with the vertices before and behind them that are known, (k, 3) mm."""
+        return self._with_vertices()[0]
+
+    def _with_vertices(self) -> tuple[np.ndarray, np.ndarray]:
+        """Points and their covariance in space, from vertex to vertex where these are known."""
+        first, last = ([] if vertex is None else [vertex] for vertex in self.vertices)
+        parts = [*first, (self.points, self.covariance_3d), *last]
+        return (
+            np.vstack([point for point, _ in parts]),
+            np.concatenate([spread.reshape(-1, 3, 3) for _, spread in parts]),
+        )
 
     @cached_property
     def primitive(self) -> Line | Circle | None:

@@ -199,3 +199,16 @@ def test_the_curve_of_an_edge_in_a_plane_lies_in_a_plane():
     u, _ = edge.curve().closest(edge.points)
     away = np.linalg.norm(edge.curve().evaluate(u) - edge.points, axis=1)
     assert np.mean((away / edge.sigma) ** 2) < 2.0
+
+
+def test_a_curve_runs_from_vertex_to_vertex(filleted):
+    _, edge = filleted
+    along = edge.points[-1] - edge.points[0]
+    along /= np.linalg.norm(along)
+    beyond = edge.points[-1] + 0.4 * along
+    ended = dataclasses.replace(edge, vertices=(None, (beyond, 1e-4 * np.eye(3))), single=None)
+    assert len(ended.vertex_to_vertex) == len(edge) + 1
+    _, last = ended.curve().parameter_range
+    assert ended.curve().evaluate(last) == pytest.approx(beyond, abs=0.03)
+    backward = ended.reversed()
+    assert backward.vertex_to_vertex == pytest.approx(ended.vertex_to_vertex[::-1])
