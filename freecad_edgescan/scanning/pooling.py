@@ -11,13 +11,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy.ndimage import convolve1d, percentile_filter, uniform_filter1d
+from scipy.ndimage import convolve1d, median_filter, percentile_filter, uniform_filter1d
 
 from .edge_path import EdgePath
 from .neighbours import Neighbours
 from .patch_section import PatchSettings
 from .section import SectionPoints
 from .side_fit import (
+    BLOCK_EDGES,
     PRIOR_SIGMA,
     SideFits,
     block_counts,
@@ -30,6 +31,8 @@ from .side_fit import (
 _POOLED = 4  # sections on each side that decide together
 _STRIDES = (8, 4, 3)  # sections from one decision to the next, first to last
 _POOLED_CURVATURE = 8
+_BESIDE = 5  # decisions that judge the one in their middle
+_LEAST_SEEN = 0.5  # of what they see, below which it is a stray
 # Of where the walk has seen a side begin. A single section rather runs into a rounding than that
 # it begins too late, and what lies far inside of that is the rounding itself.
 _NOT_BEFORE = 0.85
@@ -153,7 +156,7 @@ def _decide(
     # Where a rounding is taken for the side it is so all along; each decision sees it by chance.
     astray = uniform_filter1d(chosen.astray, 3, axis=0, mode="wrap" if path.closed else "nearest")
     nearest = np.minimum((np.arange(len(path)) + stride // 2) // stride, len(few) - 1)
-    stretch = chosen.stretch[nearest]
+    stretch = _without_strays(chosen.stretch, path.closed)[nearest]
     fits = fit_summed(
         neighbours.pooled_stretches(own, stretch, _POOLED),
         reach,
@@ -163,6 +166,18 @@ def _decide(
         np.full(expected.shape, PRIOR_SIGMA[2]),
     )
     return replace(fits, accepted=fits.accepted & chosen.accepted[nearest], astray=astray[nearest])
+
+
+def _without_strays(stretch: np.ndarray, closed: bool) -> np.ndarray:
+    """Decisions that see far less of a side than most of those beside them see, corrected.
+
+    Such a short stretch lies on a rounding, and would make outliers of the side's own points.
+    """
+    usual = median_filter(stretch, size=(_BESIDE, 1, 1), mode="wrap" if closed else "mirror")
+    seen, expected = (
+        BLOCK_EDGES[part[..., 1]] - BLOCK_EDGES[part[..., 0]] for part in (stretch, usual)
+    )
+    return np.where((seen < _LEAST_SEEN * expected)[..., None], usual, stretch)
 
 
 def _pool(values: np.ndarray, path: EdgePath, width: int = _POOLED) -> np.ndarray:
