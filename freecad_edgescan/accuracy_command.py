@@ -10,6 +10,8 @@ from freecad_edgescan.terminal_progress import TerminalProgress, exit_code
 
 __all__ = ["measure"]
 
+_SEEDS = 5  # clouds of each simple part
+
 
 def measure(options: argparse.Namespace) -> int:
     """Print the tables that are asked for, and answer the exit code."""
@@ -17,13 +19,16 @@ def measure(options: argparse.Namespace) -> int:
         return _wedges(options)
     if options.sharp:
         raise ValueError("--sharp belongs to --wedges; give it, or leave --sharp out.")
+    if options.fillet < 0.0:
+        raise ValueError(f"--fillet is {options.fillet:g}; give a positive radius in mm.")
+    for given, word in ((options.peers, "peers"), (options.seeds is not None, "seeds")):
+        if given and options.parts:
+            raise ValueError(f"--{word} belongs to the simple parts; leave --parts out.")
     if not options.parts:
         code = _simple_parts(options)
         if code:
             return code
         print()
-    elif options.peers:
-        raise ValueError("--peers are asked about the simple parts; leave --parts out.")
     return _parts(options)
 
 
@@ -31,14 +36,15 @@ def _simple_parts(options: argparse.Namespace) -> int:
     from freecad_edgescan.document.accuracy_table import measure_simple_parts, simple_table
     from freecad_edgescan.experiments.peers import PEERS, missing_peers
 
-    if options.seeds < 1:
-        raise ValueError(f"--seeds is {options.seeds}; give 1 or more.")
+    seeds = _SEEDS if options.seeds is None else options.seeds
+    if seeds < 1:
+        raise ValueError(f"--seeds is {seeds}; give 1 or more.")
     if options.peers and missing_peers():
         raise ValueError(
             f"--peers needs {' and '.join(missing_peers())} from PyPI; ./edgescan installs them."
         )
     with TerminalProgress("simple parts") as progress:
-        rows = measure_simple_parts(options.seeds, list(PEERS) if options.peers else (), progress)
+        rows = measure_simple_parts(seeds, list(PEERS) if options.peers else (), progress)
     if rows:
         print(simple_table(rows))
     return exit_code(progress, bool(rows))
@@ -82,7 +88,8 @@ def _under_fillets(report: Any, options: argparse.Namespace) -> str:
 def _wedges(options: argparse.Namespace) -> int:
     from freecad_edgescan.experiments.wedge_search import search, wedge_table
 
-    for given, word in ((options.parts, "parts"), (options.peers, "peers")):
+    others = ("parts", "peers", "fillet", "seeds")
+    for given, word in ((getattr(options, name), name) for name in others):
         if given:
             raise ValueError(f"--wedges are scanned instead of parts; leave --{word} out.")
     if options.wedges < 1:

@@ -153,7 +153,7 @@ def _parser() -> argparse.ArgumentParser:
         help="beside what RANSAC planes and surface variation make of the simple parts' clouds",
     )  # fmt: skip
     accuracy.add_argument(
-        "--seeds", type=_whole_number, default=5, metavar="N",
+        "--seeds", type=_whole_number, metavar="N",
         help="clouds of each simple part (default: 5)",
     )  # fmt: skip
     accuracy.add_argument(

@@ -16,7 +16,6 @@ from .sharp_edges import true_edges
 
 __all__ = ["KnownPart", "block_with_bore", "filleted", "sharp_part", "simple_parts"]
 
-_MIN_ANGLE = 0.26
 _ROOM = 5.0  # pitches between two fillets' beginnings at least
 
 
@@ -40,7 +39,7 @@ class KnownPart:
 
 def sharp_part(name: str, shape: Any) -> KnownPart:
     """A part all of whose sharp edges are sought."""
-    return KnownPart(name, shape, tuple(true_edges(shape, _MIN_ANGLE)))
+    return KnownPart(name, shape, tuple(true_edges(shape)))
 
 
 def block_with_bore() -> Any:
@@ -54,11 +53,14 @@ def simple_parts() -> tuple[KnownPart, ...]:
     """Two planes at 90°, sharp and under a fillet of 2 mm, and the rim of a cylinder of R 20."""
     box, cylinder = Part.makeBox(60.0, 30.0, 30.0), Part.makeCylinder(20.0, 30.0)
     edge = _nearest_edge(box, (30.0, 0.0, 30.0))
-    on_box, on_rim = ((30.0, 0.0, 30.0),), ((20.0, 0.0, 30.0),)
+    on_box, on_rim = (
+        _true_edge_at(box, (30.0, 0.0, 30.0)),
+        _true_edge_at(cylinder, (20.0, 0.0, 30.0)),
+    )
     return (
-        KnownPart("two planes", box, _edges_at(box, on_box)),
-        KnownPart("two planes, fillet 2 mm", box.makeFillet(2.0, [edge]), _edges_at(box, on_box)),
-        KnownPart("cylinder rim", cylinder, _edges_at(cylinder, on_rim)),
+        KnownPart("two planes", box, (on_box,)),
+        KnownPart("two planes, fillet 2 mm", box.makeFillet(2.0, [edge]), (on_box,)),
+        KnownPart("cylinder rim", cylinder, (on_rim,)),
     )
 
 
@@ -76,7 +78,7 @@ def filleted(name: str, shape: Any, radius: float, pitch: float) -> KnownPart:
     ------
     ValueError: there is no edge that OpenCASCADE can round with this radius.
     """
-    edges = true_edges(shape, _MIN_ANGLE)
+    edges = true_edges(shape)
     straight = [
         truth
         for truth in edges
@@ -133,9 +135,8 @@ def _middle(truth: TrueEdge) -> Any:
     return truth.points[len(truth) // 2]
 
 
-def _edges_at(shape: Any, places: Sequence[Any]) -> tuple[TrueEdge, ...]:
-    edges = true_edges(shape, _MIN_ANGLE)
-    return tuple(min(edges, key=lambda edge: float(edge.distance([place])[0])) for place in places)
+def _true_edge_at(shape: Any, place: Any) -> TrueEdge:
+    return min(true_edges(shape), key=lambda edge: float(edge.distance([place])[0]))
 
 
 def _nearest_edge(shape: Any, place: Any) -> Any:

@@ -53,7 +53,8 @@ def sweep_shape(profile: Any, rail: Any, solid: bool = False) -> tuple[Any, bool
         surface = maker.shape()
     except (Part.OCCError, RuntimeError) as error:
         raise ValueError(
-            f"OpenCASCADE cannot sweep this profile along this rail: {error}"
+            f"OpenCASCADE cannot sweep this profile along this rail ({error}). Sweep along a "
+            "shorter piece, or loft through several profiles."
         ) from None
     if surface.isNull() or not surface.Faces:
         raise ValueError("The sweep has no face; let the profile stand across the rail.")

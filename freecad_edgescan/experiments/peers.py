@@ -7,7 +7,9 @@ edge than to any other one, and the truth to choose what they answer.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import random
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from importlib import import_module
 from importlib.util import find_spec
 
@@ -44,12 +46,12 @@ def plane_pair(cloud: PointCloud, truth: TrueEdge, noise: float) -> Array:
     """
     ransac = import_module("pyransac3d")
     left, planes = _crop(cloud, truth), []
-    np.random.seed(0)  # noqa: NPY002 (pyransac3d knows no other random numbers)
     near = _NEAR_PLANE * max(noise, 1e-3 * cloud.pitch)
     for _ in range(2):
         if len(left) < 20:
             return np.zeros((0, 3))
-        inliers = ransac.Plane().fit(left, thresh=near, maxIteration=_TRIES).inliers
+        with _same_chance():
+            inliers = ransac.Plane().fit(left, thresh=near, maxIteration=_TRIES).inliers
         plane = fit_plane(left[inliers])
         off = np.abs((left - plane.point) @ plane.normal)
         planes.append(fit_plane(left[off < near]))
@@ -91,6 +93,17 @@ def variation_labels(cloud: PointCloud, truth: TrueEdge, noise: float) -> Array:
     variation[~sought | ~np.isfinite(variation)] = -1.0
     count = min(int(truth.length / cloud.pitch), int(sought.sum()))
     return np.asarray(points[np.argsort(variation)[len(points) - count :]])
+
+
+@contextmanager
+def _same_chance() -> Iterator[None]:
+    """Seed Python's own random numbers, the only ones pyransac3d takes, and give them back."""
+    state = random.getstate()
+    random.seed(0)
+    try:
+        yield
+    finally:
+        random.setstate(state)
 
 
 def _crop(cloud: PointCloud, truth: TrueEdge) -> Array:

@@ -20,7 +20,7 @@ from .corner import Corners, corners
 from .edge_path import EdgePath
 from .neighbours import Neighbours
 from .patch_section import PatchSettings
-from .pooling import agreed_stretches, cleaned, counted_twice, evened_moments, shared_curvature
+from .pooling import agreed_stretches, cleaned, evened_moments, shared_curvature, times_counted
 from .section import Frames, SectionPoints
 from .side_fit import SideFits, fit_summed, sum_stretches
 from .stop import Stop
@@ -136,7 +136,7 @@ def _supplied_fits(
     """
     reach = pooled.reach
     local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
-    overlap, neighbours = counted_twice(path, half_width), Neighbours(path, reach)
+    overlap, neighbours = times_counted(path, half_width), Neighbours(path, reach)
 
     def fit(summed: np.ndarray) -> SideFits:
         fits = fit_summed(summed, reach, local, pooled.stretch, *curvature)

@@ -79,7 +79,7 @@ def shared_curvature(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Curvature of each side that neighbours agree on, and how far one may be from it."""
     own = pooled.coefficients[..., 2]
-    counted = counted_twice(path, half_width)
+    counted = times_counted(path, half_width)
     variance = np.maximum(counted * pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
     weight = 1.0 / variance
     total = _pool(weight, path, _POOLED_CURVATURE)
@@ -91,7 +91,7 @@ def shared_curvature(
     return mean, np.sqrt(np.maximum(scatter - by_chance, 0.0) + known + 1e-8)
 
 
-def counted_twice(path: EdgePath, half_width: float) -> float:
+def times_counted(path: EdgePath, half_width: float) -> float:
     """How often sums over neighbouring sections count each point: slabs may overlap."""
     return max(1.0, 2.0 * half_width / path.spacing)
 

@@ -167,8 +167,16 @@ class ScannedEdge:
         return self._with_vertices()[0]
 
     def _with_vertices(self) -> tuple[np.ndarray, np.ndarray]:
-        """Points and their covariance in space, from vertex to vertex where these are known."""
-        first, last = ([] if vertex is None else [vertex] for vertex in self.vertices)
+        """Points and their covariance in space, from vertex to vertex where these are known.
+
+        A vertex that noise puts before the outermost edge point adds nothing.
+        """
+        first, last = (
+            []
+            if vertex is None or way * (vertex[0] - self.points[k]) @ self.tangents[k] <= 0.0
+            else [vertex]
+            for vertex, k, way in zip(self.vertices, (0, -1), (-1.0, 1.0), strict=True)
+        )
         parts = [*first, (self.points, self.covariance_3d), *last]
         return (
             np.vstack([point for point, _ in parts]),

@@ -138,7 +138,9 @@ class _Neighbours:
         away = edge.point[which] - edge.point[:, None]
         axes = across_axes(measured.frames.normals)
         along = np.einsum("mi,mki->mk", measured.frames.tangent, away)
-        bend = (0.0 if straight else 1.0) * np.einsum("mai,mi->ma", axes, measured.frames.bend)
+        # A straight edge's own bend is noise of the walk, and a line could not absorb it.
+        bend = np.einsum("mai,mi->ma", axes, measured.frames.bend)
+        bend = np.zeros_like(bend) if straight else bend
         turned = np.linalg.norm(bend, axis=1)[:, None] * np.abs(along)
         inside &= (np.abs(along) <= farthest) & (turned < _MOST_TURNED)
         # What the bend of the edge explains; a parabola alone is no circle.

@@ -98,6 +98,9 @@ def test_two_planes_meet_in_the_edge_and_labels_lie_beside_it(monkeypatch) -> No
         (["--peers", "--parts", "x.step"], "leave --parts out"),
         (["--peers", "--wedges", "3"], "leave --peers out"),
         (["--seeds", "0"], "give 1 or more"),
+        (["--seeds", "3", "--parts", "x.step"], "leave --parts out"),
+        (["--fillet", "1", "--wedges", "3"], "leave --fillet out"),
+        (["--fillet", "-1"], "give a positive radius"),
         (["--sharp"], "belongs to --wedges"),
     ],
 )

@@ -416,12 +416,3 @@ def test_a_box_is_no_cloud_to_scan(doc: Any) -> None:
     box = doc.addObject("Part::Box", "Box")
     with pytest.raises(ValueError, match="'Box' is not a point cloud"):
         document.make_scanned_edge(doc, box, at=(0, 0, 0))
-
-
-def test_the_edges_of_a_box_end_in_its_corners(doc: Any) -> None:
-    """An edge point stands up to a pitch before them; the native edge is as long as the box's."""
-    cloud = document.make_cloud(doc, document.simulate_cloud(Part.makeBox(20, 14, 10), 0.5, 0.02))
-    for at, length in (((10, 0, 10), 20.0), ((0, 7, 10), 14.0), ((20, 14, 5), 10.0)):
-        edge = document.make_scanned_edge(doc, cloud, at=at)
-        doc.recompute()
-        assert edge.Shape.Length == pytest.approx(length, abs=0.06)

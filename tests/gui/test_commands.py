@@ -119,6 +119,8 @@ def test_sweep_moves_the_profile_along_the_rail(window: Any) -> None:
     Gui.runCommand("EdgeScan_Sweep")
     sweep = sweep_of(window.doc)
     assert sweep.Shape.Area == pytest.approx(30.0)
+    assert sweep.ViewObject.Proxy.claimChildren() == [profile]
+    assert Path(sweep.ViewObject.Proxy.getIcon()).is_file()
     assert window.doc.UndoCount == undo_steps + 1
 
 

@@ -210,5 +210,7 @@ def test_a_curve_runs_from_vertex_to_vertex(filleted):
     assert len(ended.vertex_to_vertex) == len(edge) + 1
     _, last = ended.curve().parameter_range
     assert ended.curve().evaluate(last) == pytest.approx(beyond, abs=0.03)
+    before = (edge.points[-1] - 0.1 * along, 1e-4 * np.eye(3))
+    assert len(dataclasses.replace(edge, vertices=(None, before)).vertex_to_vertex) == len(edge)
     backward = ended.reversed()
     assert backward.vertex_to_vertex == pytest.approx(ended.vertex_to_vertex[::-1])
