@@ -94,8 +94,8 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
             )
             / determinant[:, None]
         )
-        step = np.clip(step, -0.5, 0.5)
-        shift = np.clip(shift - step, -3.0, 3.0)
+        step = np.maximum(np.minimum(step, 0.5), -0.5)
+        shift = np.maximum(np.minimum(shift - step, 3.0), -3.0)
         if np.max(np.abs(step), initial=0.0) < 1e-10:
             break
     value, gradient, slope = _section_distance(c, along_side, along_normal, shift)

@@ -24,6 +24,7 @@ from .patch_edge import finish_edge
 from .patch_section import PatchSection
 from .progress import Progress
 from .report import describe
+from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge
 from .section import Station
 from .start import Gate, Start
@@ -33,6 +34,7 @@ from .trace import Trace, trace_both_ways, trace_one_way
 __all__ = ["scan_with_patches"]
 
 Point = Sequence[float] | np.ndarray
+_BESIDE = 1.2  # pitches: what an edge may be off its points besides where its sides begin
 FEWEST_POINTS = 3  # edge points that make an edge
 
 
@@ -63,6 +65,7 @@ def scan_with_patches(
     if len(trace.stations) >= FEWEST_POINTS or Stop.CANCELLED in trace.stops:
         edge = finish_edge(cloud, trace, chosen, arrived)
         _check_known(edge, chosen)
+        _check_beside_points(edge, cloud)
         if len(edge) >= FEWEST_POINTS or Stop.CANCELLED in trace.stops:
             return replace(edge, message=describe(edge, gate))
     raise ScanError(
@@ -80,10 +83,12 @@ def _trace(
     progress: Progress | None,
 ) -> Trace:
     settings = section.settings
-    gait = AdaptiveGait(settings.edge_pitch, settings.half_width, settings.longest_step)
-    if arrived is None and start is None:
+    free = arrived is None and start is None
+    longest = settings.longest_free_step if free else settings.longest_step
+    gait = AdaptiveGait(settings.edge_pitch, settings.half_width, longest)
+    if free:
         return trace_both_ways(section, first, gait, progress)
-    if start is None:
+    if arrived is not None and start is None:
         first = heading_for(first, arrived)
     return trace_one_way(section, first, gait, arrived, progress)
 
@@ -97,6 +102,26 @@ def _check_known(edge: ScannedEdge, chosen: Chosen) -> None:
             f"What meets near ({_text(edge.points[len(edge) // 2])}) is known only to "
             f"{sigma:.3g} mm (one sigma), worse than the cloud's pitch of {pitch:.3g} mm: the "
             "sides are too narrow, too curved or too noisy. Click elsewhere, or scan denser."
+        )
+
+
+def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
+    """An edge farther from its points than its sides begin is that of two sides bent together.
+
+    However a rounding, a chamfer or wear has taken an edge away, the sides' own first points are
+    where they begin.
+    """
+    if not len(edge) or not isinstance(edge.scan_lines, ScanLines):
+        return
+    away = float(np.median(edge.overhang))
+    begins = float(np.median(edge.scan_lines.fits.begins.min(axis=1)))
+    middle = edge.points[len(edge) // 2]
+    beside = cloud.points[cloud.tree.query(middle)[1]]
+    if away > begins + _BESIDE * float(cloud.local_pitch(beside[None])[0, 0]):
+        raise ScanError(
+            f"What meets near ({_text(middle)}) meets {away:.3g} mm outside the points, though "
+            f"the sides begin {begins:.2g} mm from there: they are the two faces of something "
+            "thin, or too short, and have no edge there. Click elsewhere, or scan denser."
         )
 
 

@@ -50,7 +50,8 @@ def cleaned(
     keeps only look like the side.
     """
     neighbours = Neighbours(path, settings.reach)
-    pooled = _decide(points, path, neighbours, settings, noise, None, _STRIDES[0])
+    all_of_them = block_moments(points, len(path), settings.reach)
+    pooled = _decide(all_of_them, path, neighbours, settings, noise, None, _STRIDES[0])
     removed = np.zeros(len(points.index), dtype=bool)
     for stride in _STRIDES[1:]:
         limit = 3.5 * np.maximum(np.sqrt(pooled.variance) * pooled.reach, 0.5 * noise)
@@ -60,7 +61,8 @@ def cleaned(
             for part in (removed, ~removed)
         )
         doubtful = lost > 0.25 * (lost + left)
-        pooled = _decide(points[~removed], path, neighbours, settings, noise, doubtful, stride)
+        kept = all_of_them - block_moments(points[removed], len(path), settings.reach)
+        pooled = _decide(kept, path, neighbours, settings, noise, doubtful, stride)
     return pooled, removed
 
 
@@ -129,7 +131,7 @@ def evened_moments(points: SectionPoints, path: EdgePath, settings: PatchSetting
 
 
 def _decide(
-    points: SectionPoints,
+    moments: np.ndarray,
     path: EdgePath,
     neighbours: Neighbours,
     settings: PatchSettings,
@@ -139,7 +141,7 @@ def _decide(
 ) -> SideFits:
     """Stretches decided on pooled points at every few sections, and fitted at every one."""
     reach = settings.reach
-    own = evened_moments(points, path, settings)
+    own = without_crowds(moments, reach, settings.half_width, settings.cloud_pitch)
     expected = path.frames.curvature * reach
     few = np.arange(0, len(path), stride)
     chosen = choose_stretches(

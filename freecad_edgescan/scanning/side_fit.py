@@ -26,8 +26,18 @@ BLOCKS = 14
 BLOCK_EDGES = (np.arange(BLOCKS + 1) / BLOCKS) ** 1.5
 _TERMS = 4
 _PAIRS = np.triu_indices(_TERMS + 1)
+_TERM_PAIRS = np.triu_indices(_TERMS)
+_DIAGONAL = np.arange(_TERMS)
+_TIMES = np.where(_TERM_PAIRS[0] == _TERM_PAIRS[1], 1.0, 2.0)  # that a pair is in a square form
 _SQUARE = np.zeros((_TERMS + 1, _TERMS + 1), dtype=np.int64)
 _SQUARE[_PAIRS] = _SQUARE.T[_PAIRS] = np.arange(len(_PAIRS[0]))
+
+# All stretches of two and more blocks: their first and last block (exclusive), the blocks in them,
+# and the number of the stretch between two blocks.
+_FIRST, _LAST = np.triu_indices(BLOCKS + 1, k=2)
+_WITHIN = (np.arange(BLOCKS) >= _FIRST[:, None]) & (np.arange(BLOCKS) < _LAST[:, None])
+_NUMBER = np.full((BLOCKS + 1, BLOCKS + 1), -1)
+_NUMBER[_FIRST, _LAST] = np.arange(len(_FIRST))
 
 # How much better a stretch that covers little of the side must know it (a power of its share).
 _COVERAGE = 4
@@ -170,11 +180,6 @@ def block_counts(points: SectionPoints, sections: int, reach: float) -> np.ndarr
     return np.bincount(bins, minlength=sections * 2 * BLOCKS).reshape(sections, 2, BLOCKS)
 
 
-def _stretches() -> tuple[np.ndarray, np.ndarray]:
-    first, last = np.triu_indices(BLOCKS + 1, k=2)
-    return first, last
-
-
 def choose_stretches(
     moments: np.ndarray,
     reach: float,
@@ -207,12 +212,11 @@ def choose_stretches(
     together : whether the points are those of many sections, which see far smaller departures
     least_begin : distance from the edge, mm, within which no stretch begins, one or (2,)
     """
-    first, last = _stretches()
     sections = len(moments)
     variance = np.broadcast_to(np.square(np.asarray(noise, dtype=float) / reach), (sections, 2))
     cumulated = np.zeros((sections, 2, BLOCKS + 1, moments.shape[-1]))
     np.cumsum(moments, axis=2, out=cumulated[:, :, 1:])
-    summed = cumulated[:, :, last] - cumulated[:, :, first]
+    summed = cumulated[:, :, _LAST] - cumulated[:, :, _FIRST]
     fits = _solve(summed, variance[..., None], curvature[..., None], curvature_sigma)
     coefficients, inverse, misfit, count = fits
     degrees = np.maximum(count - 3.0, 1.0)
@@ -225,18 +229,16 @@ def choose_stretches(
     ) / number[:, :, None]
     filled = blocks[..., 0] > 0
     # A block pulls the fit towards itself; what is left of its misfit is that of a fit without it.
-    centre = (blocks[..., :4] / number[..., None])[:, :, None]
-    leverage = np.sum((centre @ inverse) * centre, axis=-1)
+    centre = blocks[..., :4] / number[..., None]
+    products = centre[..., _TERM_PAIRS[0]] * centre[..., _TERM_PAIRS[1]] * _TIMES
+    leverage = inverse[..., _TERM_PAIRS[0], _TERM_PAIRS[1]] @ np.swapaxes(products, -1, -2)
     free = np.maximum(1.0 / number[:, :, None] - leverage, 1e-3 / number[:, :, None])
     tolerated = slack * free * number[:, :, None]
     allowed = np.sqrt(variance[..., None, None] * (free + tolerated**2))
-    within = (np.arange(BLOCKS) >= first[:, None]) & (np.arange(BLOCKS) < last[:, None])
-    worst = np.max(
-        np.where(within & filled[:, :, None, :], np.abs(mean) / allowed, 0.0),
-        axis=-1,
-    )
-    populated = np.sum(within & filled[:, :, None, :], axis=-1)
-    enough = (count >= 8) & (populated >= 2) & filled[..., first] & filled[..., last - 1]
+    populated = _WITHIN & filled[:, :, None]
+    worst = np.max(np.where(populated, np.abs(mean) / allowed, 0.0), axis=-1)
+    populated = np.count_nonzero(populated, axis=-1)
+    enough = (count >= 8) & (populated >= 2) & filled[..., _FIRST] & filled[..., _LAST - 1]
     # How far a stretch departs from one smooth surface, 1 where it may just be one.
     badness = np.maximum(
         ratio / (scatter * (1.0 + 3.0 * np.sqrt(2.0 / degrees))), np.square(worst / 3.3)
@@ -245,12 +247,12 @@ def choose_stretches(
     bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
     side = np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
     side &= np.abs(coefficients[..., 2]) <= _MOST_CURVED
-    side &= BLOCK_EDGES[first] * reach >= np.broadcast_to(least_begin, (2,))[:, None]
+    side &= BLOCK_EDGES[_FIRST] * reach >= np.broadcast_to(least_begin, (2,))[:, None]
     if doubtful is not None:
-        side &= ~np.any(within & doubtful[:, :, None, :], axis=-1)
+        side &= ~np.any(_WITHIN & doubtful[:, :, None], axis=-1)
     # Share of the length, not of the points: scans crowd points on roundings.
     length = np.diff(BLOCK_EDGES) * filled
-    share = np.sum(within * length[:, :, None], axis=-1)
+    share = length @ _WITHIN.T
     share /= np.maximum(length.sum(axis=-1), 1e-9)[..., None]
     extrapolated = variance[..., None] * inverse[..., 0, 0] / np.maximum(share, 0.05) ** _COVERAGE
     badness, astray = np.maximum(badness, 1.0), np.zeros_like(badness)
@@ -278,7 +280,7 @@ def choose_stretches(
         inverse[m, k, best],
         spread,
         count[m, k, best],
-        np.stack([first[best], last[best]], axis=-1),
+        np.stack([_FIRST[best], _LAST[best]], axis=-1),
         (even & enough)[m, k, best],
         astray[m, k, best],
         variance / np.square(np.broadcast_to(curvature_sigma, variance.shape)),
@@ -299,12 +301,9 @@ def _moved(
     -------
     the square of the movement, in variances, and what of it is more than noise does
     """
-    first, last = _stretches()
-    number = np.full((BLOCKS + 1, BLOCKS + 1), -1)
-    number[first, last] = np.arange(len(first))
     moved, astray = np.zeros((2, *enough.shape))
     for later in _LATER:
-        rest = number[np.minimum(first + later, BLOCKS), last]
+        rest = _NUMBER[np.minimum(_FIRST + later, BLOCKS), _LAST]
         known = enough[..., rest] & (rest >= 0)
         gap = np.square(position[..., rest] - position)
         free = np.maximum(leverage[..., rest] - leverage, 1e-12 * leverage[..., rest])
@@ -360,18 +359,17 @@ def _solve(
     """Coefficients, inverse normal matrix, sum of squares and count of (…, 15) moments."""
     full = summed[..., _SQUARE]
     normal, right = full[..., :_TERMS, :_TERMS], full[..., :_TERMS, _TERMS]
-    weight = np.broadcast_to(
-        variance[..., None] / PRIOR_SIGMA**2, (*normal.shape[:-2], _TERMS)
-    ).copy()
+    weight = np.empty((*normal.shape[:-2], _TERMS))
+    weight[:] = variance[..., None] / PRIOR_SIGMA**2
     weight[..., 2] = variance / np.square(curvature_sigma)
     weight = np.maximum(weight, 1e-12)
-    inverse = np.linalg.inv(normal + weight[..., None] * np.eye(_TERMS))
+    normal[..., _DIAGONAL, _DIAGONAL] += weight
+    inverse = np.linalg.inv(normal)
     pulled = right.copy()
     pulled[..., 2] += weight[..., 2] * curvature
-    coefficients = np.einsum("...ij,...j->...i", inverse, pulled)
-    misfit = (
-        full[..., _TERMS, _TERMS]
-        - 2.0 * np.einsum("...i,...i->...", coefficients, right)
-        + np.einsum("...i,...ij,...j->...", coefficients, normal, coefficients)
-    )
-    return coefficients, inverse, np.maximum(misfit, 0.0), full[..., 0, 0]
+    coefficients = (inverse @ pulled[..., None])[..., 0]
+    # Of the sum of squares, what the expectation has taken is left to the points.
+    pull = -weight * coefficients
+    pull[..., 2] += weight[..., 2] * curvature
+    misfit = full[..., _TERMS, _TERMS] - np.sum(coefficients * (right - pull), axis=-1)
+    return coefficients, inverse, np.maximum(misfit, 0.0), summed[..., 0]

@@ -67,23 +67,24 @@ def smoothed(
         return raw
     degree = 1 if straight else 2
     trusted = near.inside & ~_astray(near, degree)
-    values, covariances, weights = [np.zeros_like(near.off[:, 0])], [edge.covariance], [near.own()]
+    values, covariances = [np.zeros_like(near.off[:, 0])], [edge.covariance]
+    means = [near.mean(near.own())]
     taken = np.zeros(len(edge.point), dtype=np.int64)
     alone = ~trusted[:, near.reach]  # what such a section says itself is no evidence
     good = [~alone]
     for share in _LENGTHS:
         width = max(round(share * near.reach), degree + 1)
         weight, found = near.parabola(trusted & near.within(width), degree)
-        value, covariance = near.mean(weight)
+        mean = near.mean(weight)
+        value, covariance = mean.value, mean.covariance
         agrees = found.copy()
-        for before, other, known in zip(values, weights, good, strict=True):
-            gap = near.covariance(weight - other)
-            agrees &= (_distance(value - before, gap) <= _AGREE) | ~known
+        for before, other, known in zip(values, means, good, strict=True):
+            agrees &= (_distance(value - before, mean.difference(other)) <= _AGREE) | ~known
         better = agrees & _smaller(covariance, np.array(covariances)[taken, np.arange(len(taken))])
         better |= agrees & alone & (taken == 0)
         values.append(value)
         covariances.append(covariance)
-        weights.append(weight)
+        means.append(mean)
         good.append(agrees)
         taken[better] = len(values) - 1
     rows = np.arange(len(taken))
@@ -106,7 +107,7 @@ class _Neighbours:
     off : (m, k, 2) how far its point is beside the section's own, mm
     precision : (m, k) inverse variance of its own scatter, 1/mm²
     overlap, shared : (m, k, k) correlations of own scatter, and of what is shared
-    own_root, shared_root : (m, k, 2, 2) roots of the two parts of the covariance, mm
+    own_root, shared_root : (m, 2, k, 2) roots of the two parts of the covariance, mm
     """
 
     reach: int
@@ -166,8 +167,8 @@ class _Neighbours:
             1.0 / np.maximum(scatter[which], 1e-12 * float(scatter.max(initial=1e-12))),
             overlap,
             shared[earlier, np.abs(step[:, None] - step)],
-            _root(own_part)[which],
-            _root(shared_part)[which],
+            np.swapaxes(_root(own_part)[which], 1, 2).copy(),
+            np.swapaxes(_root(shared_part)[which], 1, 2).copy(),
         )
 
     def within(self, width: int) -> np.ndarray:
@@ -201,19 +202,53 @@ class _Neighbours:
         left = np.sum(np.square((self.off - power @ best) * root), axis=(1, 2))
         return left / np.maximum(used.sum(axis=1) - degree - 1, 1)
 
-    def mean(self, weight: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Weighted mean (m, 2) of the neighbours, mm, and its covariance (m, 2, 2)."""
-        return np.einsum("mk,mka->ma", weight, self.off), self.covariance(weight)
-
-    def covariance(self, weight: np.ndarray) -> np.ndarray:
-        """Covariance (m, 2, 2) of a weighted sum, mm²."""
-        total = np.zeros((len(weight), 2, 2))
+    def mean(self, weight: np.ndarray) -> _Mean:
+        """Weighted mean of the neighbours."""
+        parts = []
         for alike, root in ((self.overlap, self.own_root), (self.shared, self.shared_root)):
-            moved = weight[:, :, None, None] * root
-            flat = moved.reshape(*moved.shape[:2], 4)
-            seen = np.matmul(alike, flat).reshape(moved.shape)
-            total += np.einsum("mkab,mkcb->mac", moved, seen)
-        return total
+            moved = weight[:, None, :, None] * root
+            parts.append((moved, alike[:, None] @ moved))
+        return _Mean.of(np.einsum("mk,mka->ma", weight, self.off), parts)
+
+
+@dataclass(frozen=True)
+class _Mean:
+    """A weighted mean of each section's neighbours.
+
+    Attributes
+    ----------
+    value : (m, 2) mm
+    parts : of own scatter and of what is shared, two (m, 2, k, 2) arrays, mm: the neighbours' roots
+        times their weights, and what of these each neighbour has in common with all of them
+    covariance : (m, 2, 2) mm²
+    """
+
+    value: np.ndarray
+    parts: list[tuple[np.ndarray, np.ndarray]]
+    covariance: np.ndarray
+
+    @staticmethod
+    def of(value: np.ndarray, parts: list[tuple[np.ndarray, np.ndarray]]) -> _Mean:
+        """The mean with its covariance."""
+        return _Mean(value, parts, _common(parts, parts))
+
+    def difference(self, other: _Mean) -> np.ndarray:
+        """Covariance (m, 2, 2) of the difference of two means, mm²."""
+        common = _common(self.parts, other.parts)
+        return self.covariance + other.covariance - common - np.swapaxes(common, -1, -2)
+
+
+def _common(
+    one: list[tuple[np.ndarray, np.ndarray]], other: list[tuple[np.ndarray, np.ndarray]]
+) -> np.ndarray:
+    """Covariance (m, 2, 2) of two weighted means, mm²."""
+    flat = (len(one[0][0]), 2, -1)
+    return np.asarray(
+        sum(
+            moved.reshape(flat) @ np.swapaxes(seen.reshape(flat), -1, -2)
+            for (moved, _), (_, seen) in zip(one, other, strict=True)
+        )
+    )
 
 
 def _astray(near: _Neighbours, degree: int) -> np.ndarray:
@@ -221,9 +256,9 @@ def _astray(near: _Neighbours, degree: int) -> np.ndarray:
     # What is mistaken together is not asked about itself.
     others = near.inside & ~near.within(min(_FEW, near.reach // 3))
     weight, found = near.parabola(others, degree)
-    value, _ = near.mean(weight)
     # What its neighbours say of a section's point, whose own place is zero.
-    far = found & (_distance(value, near.covariance(weight - near.own())) > _ASTRAY)
+    said = near.mean(weight)
+    far = found & (_distance(said.value, said.difference(near.mean(near.own()))) > _ASTRAY)
     # Where the edge is no parabola, as where a line becomes an arc, its neighbours say nothing.
     far &= near.misfit(others, degree) < _MOST_MISFIT
     single = far.copy()

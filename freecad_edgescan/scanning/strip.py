@@ -23,7 +23,7 @@ def strip_points(
     half_width : half the width of a slab, mm
     """
     frames, spacing = path.frames, path.spacing
-    stride = max(1, int(0.5 * reach / max(spacing, 1e-12)))
+    stride = max(1, int(reach / max(spacing, 1e-12)))
     centres = frames.origin[
         np.unique(np.append(np.arange(0, len(frames), stride), len(frames) - 1))
     ]
@@ -40,6 +40,10 @@ def strip_points(
         if path.closed:
             owner %= len(frames)
         rows = np.flatnonzero((owner >= 0) & (owner < len(frames)))
+        mine = owner[rows]
+        ahead = np.einsum("ni,ni->n", points[rows] - frames.origin[mine], frames.tangent[mine])
+        # Inside of a bend a narrow slab of points fans out to twice its width.
+        rows = rows[np.abs(ahead) <= 2.0 * half_width]
         found = section_points(frames, owner[rows], index[rows], points[rows])
         parts.append(
             found[(np.abs(found.along) <= half_width) & (found.away > 0) & (found.away < reach)]
