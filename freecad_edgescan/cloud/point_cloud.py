@@ -22,6 +22,7 @@ __all__ = ["FEWEST_POINTS", "PointCloud", "require_surface"]
 
 Array = NDArray[np.float64]
 
+_SOME = 1000  # points that tell whether a cloud extends in all directions
 FEWEST_POINTS = 20  # below this no local surface can be told from noise
 FARTHEST = 1e12  # mm; beyond it squares and differences lose their meaning
 
@@ -121,12 +122,16 @@ class PointCloud:
     @cached_property
     def pitch(self) -> float:
         """1 / sqrt(points per mm² of surface), the median over neighbourhoods, mm."""
-        return statistics.estimate_pitch(self.tree)
+        return self._pitch_and_noise[0]
 
     @cached_property
     def noise(self) -> float:
         """Standard deviation of the points along the surface normal, mm."""
-        return statistics.estimate_noise(self.tree)
+        return self._pitch_and_noise[1]
+
+    @cached_property
+    def _pitch_and_noise(self) -> tuple[float, float]:
+        return statistics.estimate_pitch_and_noise(self.tree)
 
     def local_pitch(self, points: ArrayLike) -> Array:
         """Two principal pitches round each of some places, larger first.
@@ -169,6 +174,11 @@ def require_surface(cloud: PointCloud) -> None:
             f"The cloud holds {len(cloud)} points; an edge needs at least {FEWEST_POINTS}. "
             "Take a larger region or a denser scan."
         )
+    # Some points never extend farther than all of them.
+    some = cloud.points[:: max(1, len(cloud) // _SOME)]
+    long, _, thick = _principal_extents(some)
+    if thick > 1e-3 * long and thick > 1e-6 * float(np.abs(some).max()):
+        return
     extents = cloud.principal_extents
     blur = 1e-6 * extents[0] + 16 * np.finfo(float).eps * float(np.abs(cloud.bounds).max())
     if extents[0] <= blur:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from scipy.stats import chi2
 
-__all__ = ["estimate_largest_gap", "estimate_local_pitch", "estimate_noise", "estimate_pitch"]
+__all__ = ["estimate_largest_gap", "estimate_local_pitch", "estimate_pitch_and_noise"]
 
 Array = NDArray[np.float64]
 
@@ -33,15 +33,17 @@ QUADRIC_TERMS = 6
 LOPSIDED = 0.15  # of the radius: how far the centre of a filled disc may lie off its place
 
 
-def estimate_pitch(tree: cKDTree) -> float:
-    """1 / sqrt(points per mm² of surface), the median over neighbourhoods, mm.
+def estimate_pitch_and_noise(tree: cKDTree) -> tuple[float, float]:
+    """1 / sqrt(points per mm² of surface), the median over neighbourhoods, and the noise, mm.
 
-    nan for a cloud of which all points are equal.
+    The pitch is nan for a cloud of which all points are equal. The noise is the standard deviation
+    of the points along the surface normal, 0 where there are too few to tell noise from shape.
     """
     offsets = _neighbourhoods(tree, _seeds(tree), PITCH_NEIGHBOURS)
-    pitch = _pitch(offsets, *_in_local_axes(offsets))
+    local, centres = _in_local_axes(offsets)
+    pitch = _pitch(offsets, local, centres)
     measurable = pitch[pitch > 0]
-    return float(np.median(measurable)) if len(measurable) else float("nan")
+    return float(np.median(measurable)) if len(measurable) else float("nan"), _noise(local)
 
 
 def estimate_local_pitch(tree: cKDTree, places: Array) -> Array:
@@ -77,13 +79,7 @@ def _gaps(flat: Array) -> Array:
     return np.asarray(probes - nearest)
 
 
-def estimate_noise(tree: cKDTree) -> float:
-    """Standard deviation of the points along the surface normal, mm.
-
-    0 where there are too few points to tell noise from shape.
-    """
-    offsets = _neighbourhoods(tree, _seeds(tree), PITCH_NEIGHBOURS)
-    local, _ = _in_local_axes(offsets)
+def _noise(local: Array) -> float:
     nearest = np.argsort((local[:, :, :2] ** 2).sum(axis=2), axis=1)[:, :NOISE_NEIGHBOURS]
     local = np.take_along_axis(local, nearest[:, :, None], axis=1)
     freedom = local.shape[1] - QUADRIC_TERMS

@@ -253,7 +253,7 @@ def choose_stretches(
     # Share of the length, not of the points: scans crowd points on roundings.
     length = np.diff(BLOCK_EDGES) * filled
     share = length @ _WITHIN.T
-    share /= np.maximum(length.sum(axis=-1), 1e-9)[..., None]
+    share = share / np.maximum(length.sum(axis=-1), 1e-9)[..., None]
     extrapolated = variance[..., None] * inverse[..., 0, 0] / np.maximum(share, 0.05) ** _COVERAGE
     badness, astray = np.maximum(badness, 1.0), np.zeros_like(badness)
     even = side & (badness <= 1.0)
