@@ -124,7 +124,10 @@ def _bench(options: argparse.Namespace) -> int:
     )
     print(
         f"scanning           {speed.edge_points_per_second:.0f} edge points per second "
-        f"({speed.edge_points} in {speed.scanning:.2f} s, mean error {speed.mean_error:.4f} mm)"
+        f"({speed.edge_points} in {speed.scanning:.2f} s, {speed.slab_points:.0f} cloud points for "
+        f"each, mean error {speed.mean_error:.4f} mm)\n"
+        f"                   {100 * speed.in_tree:.0f} % of its time in queries of the KD-tree, "
+        f"{100 * speed.in_fits:.0f} % in fits and intersections"
     )
     return 0
 

@@ -8,18 +8,21 @@ ratio says something about this software on any machine.
 from __future__ import annotations
 
 from collections.abc import Callable
+from cProfile import Profile
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from pstats import Stats
 from tempfile import TemporaryDirectory
 from time import process_time
 from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from ..cloud import PointCloud, SimulatedCloud, TorusObject, read_cloud, write_cloud
-from ..scanning import Progress, scan_edge
+from ..scanning import Progress, ScanLines, scan_edge
 
 __all__ = ["Speed", "measure_speed"]
 
@@ -28,6 +31,13 @@ Result = TypeVar("Result")
 OBJECT = TorusObject(section_radius=100.0, edge_radius=150.0, angle=np.radians(110.0))
 AMPLITUDE = 60.0  # mm, of the simulated strip on both sides of the edge together
 NOISE = 0.02  # mm
+# Functions, by the file they are in, that fit sides and intersect them; none calls another.
+_FITS = {
+    ("side_fit", "block_moments"),
+    ("side_fit", "choose_stretches"),
+    ("side_fit", "fit_summed"),
+    ("corner", "corners"),
+}
 
 
 @dataclass(frozen=True)
@@ -42,6 +52,9 @@ class Speed:
     bare_indexing : seconds for SciPy's KD-tree alone
     scanning : seconds for one edge from one click, everything automatic
     edge_points : number of edge points that gave
+    slab_points : mean number of cloud points in the slab of one of them
+    in_tree, in_fits : share of the scan's time in queries of the KD-tree, and in the fits of the
+        sides and their intersection
     mean_error : their mean distance from the true edge, mm
     """
 
@@ -51,6 +64,9 @@ class Speed:
     bare_indexing: float
     scanning: float
     edge_points: int
+    slab_points: float
+    in_tree: float
+    in_fits: float
     mean_error: float
 
     @property
@@ -104,6 +120,9 @@ def measure_speed(points: int = 1_000_000, progress: Progress | None = None) -> 
     true_edge = cloud.edges[0]
     click = true_edge.points[len(true_edge) // 2]
     scanning, edge = _seconds(lambda: scan_edge(fresh, at=click))
+    if not isinstance(edge.scan_lines, ScanLines):
+        raise TypeError("a scan with patches has patches")
+    in_tree, in_fits = _shares(array, click)
     tell(1.0, "done")
     return Speed(
         points=len(cloud),
@@ -112,6 +131,9 @@ def measure_speed(points: int = 1_000_000, progress: Progress | None = None) -> 
         bare_indexing=bare,
         scanning=scanning,
         edge_points=len(edge.points),
+        slab_points=len(edge.scan_lines.points.index) / len(edge.points),
+        in_tree=in_tree,
+        in_fits=in_fits,
         mean_error=float(true_edge.distance(edge.points).mean()),
     )
 
@@ -121,6 +143,23 @@ def simulated_cloud(points: int) -> SimulatedCloud:
     trial = OBJECT.cloud(pitch=0.3, amplitude=AMPLITUDE)
     pitch = float(0.3 * np.sqrt(len(trial) / points))
     return OBJECT.cloud(pitch=pitch, amplitude=AMPLITUDE, noise=NOISE, seed=0)
+
+
+def _shares(points: NDArray[np.float64], click: NDArray[np.float64]) -> tuple[float, float]:
+    """Shares of one scan's time in queries of the KD-tree and in fits, seen by the profiler."""
+    cloud = PointCloud(points)
+    cloud.tree  # noqa: B018 (as above)
+    profile = Profile(process_time)
+    profile.runcall(scan_edge, cloud, at=click)
+    times = Stats(profile).stats  # type: ignore[attr-defined]
+    queries = sum(own for (_, _, name), (_, _, own, _, _) in times.items() if "cKDTree" in name)
+    fits = sum(
+        total
+        for (file, _, name), (_, _, _, total, _) in times.items()
+        if (Path(file).stem, name) in _FITS
+    )
+    whole = sum(own for _, _, own, _, _ in times.values())
+    return queries / whole, fits / whole
 
 
 def _seconds(task: Callable[[], Result]) -> tuple[float, Result]:

@@ -156,16 +156,16 @@ def unrolled(
         cross each other
     """
     bend = np.linalg.norm(frames.bend, axis=1)
-    inward = frames.bend / np.maximum(bend, 1e-300)[:, None]
+    inward = (frames.bend / np.maximum(bend, 1e-300)[:, None])[owner]
     offset = points - frames.origin[owner]
     ahead = np.einsum("ni,ni->n", offset, frames.tangent[owner])
     kappa = bend[owner]
-    within = np.einsum("ni,ni->n", offset, inward[owner])
+    within = np.einsum("ni,ni->n", offset, inward)
     to_centre = 1.0 - kappa * within
     distance = np.hypot(to_centre, kappa * ahead)
     # Offset across the edge after unrolling it: (1 − distance)/κ, written so that κ → 0 is exact.
     flat = (2.0 * within - kappa * (within**2 + ahead**2)) / (1.0 + distance)
-    offset = offset + (flat - within)[:, None] * inward[owner]
+    offset = offset + (flat - within)[:, None] * inward
     with np.errstate(invalid="ignore", divide="ignore"):
         along = np.where(kappa > 1e-9, np.arctan2(kappa * ahead, to_centre) / kappa, ahead)
     return along, offset, to_centre > 0.2
@@ -187,10 +187,10 @@ def section_points(
     """
     along, offset, before_centre = unrolled(frames, owner, points)
     away = np.einsum("nki,ni->nk", frames.sides[owner], offset)
-    height = np.einsum("nki,ni->nk", frames.normals[owner], offset)
     side = (away[:, 1] > away[:, 0]).astype(np.int64)
-    pick = np.arange(len(side))
-    result = SectionPoints(index, owner, along, side, away[pick, side], height[pick, side])
+    height = np.einsum("ni,ni->n", frames.normals[owner, side], offset)
+    away = np.where(side, away[:, 1], away[:, 0])
+    result = SectionPoints(index, owner, along, side, away, height)
     return result[before_centre]
 
 

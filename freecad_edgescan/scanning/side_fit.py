@@ -17,7 +17,6 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 
 import numpy as np
-from scipy import sparse
 
 from .section import SectionPoints
 
@@ -141,17 +140,15 @@ def block_moments(points: SectionPoints, sections: int, reach: float) -> np.ndar
     away, height, along = (value / reach for value in (points.away, points.height, points.along))
     block = block_of(away)
     inside = (block >= 0) & (block < BLOCKS)
-    rows = np.stack([np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height], axis=1)[
-        inside
-    ]
-    bins = ((points.owner * 2 + points.side) * BLOCKS + block)[inside]
-    products = rows[:, _PAIRS[0]] * rows[:, _PAIRS[1]]
+    away, height, along = away[inside], height[inside], along[inside]
+    terms = (np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height)
+    bins = (points.owner[inside] * 2 + points.side[inside]) * BLOCKS + block[inside]
     total = sections * 2 * BLOCKS
-    starts = np.zeros(total + 1, dtype=np.int64)
-    np.cumsum(np.bincount(bins, minlength=total), out=starts[1:])
-    order = np.argsort(bins, kind="stable")
-    gather = sparse.csr_matrix((np.ones(len(bins)), order, starts), shape=(total, len(bins)))
-    return np.asarray(gather @ products).reshape(sections, 2, BLOCKS, -1)
+    moments = [
+        np.bincount(bins, weights=terms[i] * terms[j], minlength=total)
+        for i, j in zip(*_PAIRS, strict=True)
+    ]
+    return np.stack(moments, axis=-1).reshape(sections, 2, BLOCKS, -1)
 
 
 def without_crowds(

@@ -19,6 +19,9 @@ def test_the_edge_that_is_timed_lies_on_the_true_edge() -> None:
     assert speed.mean_error < 0.05
     assert set(speed.reading) == {".xyz", ".ply"}
     assert speed.indexing_ratio > 0
+    assert 50 < speed.slab_points < 200
+    # Both are parts of the scan, and neither is missed by looking for another name.
+    assert 0.0 < speed.in_tree < speed.in_fits < 1.0
 
 
 def test_too_few_points_are_refused_with_their_number() -> None:
