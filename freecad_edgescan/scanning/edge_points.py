@@ -14,10 +14,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.ndimage import median_filter
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners
 from .edge_path import EdgePath
+from .fillet import rounding_radius
 from .neighbours import Neighbours
 from .patch_section import PatchSettings
 from .pooling import agreed_stretches, cleaned, evened_moments, shared_curvature, times_counted
@@ -31,6 +33,10 @@ _SUPPLIED = 3  # points of a side below which a section bridges a gap
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 # Ends at which the sides go on.
 _GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
+_ROUNDINGS = 1  # times that a rounding is measured before the edge is
+_MOSTLY, _SOME = 0.5, 0.05  # shares of the sections
+_BESIDE = 11  # sections whose roundings are alike
+_MOST_ROUNDED = 0.6  # of a side
 _SURELY = 0.2  # share of the usual doubt about where the sides are
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
@@ -65,6 +71,19 @@ class Measured:
         """Edge points with both sides moved along the frames' normals, mm."""
         return corners(self.frames, self.fits, offset)
 
+    def rounding(self, cloud_pitch: float, closed: bool) -> tuple[np.ndarray, np.ndarray]:
+        """Radius of the rounding in the cloud and its sigma, (m,) mm; nan where there is none."""
+        return rounding_radius(
+            self.frames,
+            self.points,
+            self.corners(),
+            self.fits.coefficients[..., 2] / self.fits.reach,
+            self.fits.begins,
+            self.noise.max(axis=1),
+            cloud_pitch,
+            closed,
+        )
+
 
 def measure_together(
     cloud: PointCloud, path: EdgePath, settings: PatchSettings, noise: float
@@ -77,6 +96,25 @@ def measure_together(
     noise : standard deviation of the points along the normal, mm
     """
     points, plausible, extent = _strip(cloud, path, settings, noise)
+    measured = _measure(points, plausible, extent, path, settings, noise)
+    for _ in range(_ROUNDINGS):
+        rounded = _rounded_away(measured, settings, path.closed)
+        if rounded is None:
+            break
+        beyond = points.away > rounded[points.owner, points.side]
+        measured = _measure(points, plausible & beyond, extent, path, settings, noise)
+    return measured
+
+
+def _measure(
+    points: SectionPoints,
+    plausible: np.ndarray,
+    extent: tuple[float, float],
+    path: EdgePath,
+    settings: PatchSettings,
+    noise: float,
+) -> Measured:
+    """Measure all sections with those points (n,) bool of the strip that may be the sides'."""
     pooled, outliers = cleaned(points[plausible], path, settings, noise)
     used = plausible.copy()
     used[plausible] = ~outliers
@@ -103,6 +141,26 @@ def measure_together(
         path.at,
         extent,
     )
+
+
+def _rounded_away(measured: Measured, settings: PatchSettings, closed: bool) -> np.ndarray | None:
+    """How far from the edge a rounding that was measured reaches on each side, (m, 2) mm.
+
+    Blocks are wider than the stretch within which a rounding leaves the side unnoticed; its radius,
+    which all its points tell, says better where that is. None where nothing more is to be left out.
+    """
+    seen = measured.corners()
+    radius, _ = measured.rounding(settings.cloud_pitch, closed)
+    known = np.isfinite(radius)
+    if np.mean(known) < _MOSTLY:
+        return None
+    radius = np.interp(measured.at, measured.at[known], radius[known])
+    radius = median_filter(radius, min(_BESIDE, len(radius)), mode="wrap" if closed else "nearest")
+    frames = measured.frames
+    foot = np.einsum("mki,mi->mk", frames.sides, seen.point - frames.origin)
+    touch = foot + frames.rolled_over(radius)[:, None]
+    touch = np.where(touch < _MOST_ROUNDED * measured.fits.ends, touch, 0.0)
+    return touch if np.mean(touch > measured.fits.begins) > _SOME else None
 
 
 def _strip(

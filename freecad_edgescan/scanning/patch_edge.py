@@ -16,7 +16,6 @@ from .edge_ends import Vertices, corners_at, vertices_of, walked_to_vertices
 from .edge_gate import EdgeGate, until
 from .edge_path import path_along
 from .edge_points import Measured, measure_together
-from .fillet import rounding_radius
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge, Vertex
 from .section import SectionPoints, frames_from_sides
@@ -63,16 +62,7 @@ def finish_edge(
     measured = _cut_at(vertices, measured)
     frames = measured.frames
     seen = measured.corners()
-    rounding, rounding_sigma = rounding_radius(
-        frames,
-        measured.points,
-        seen,
-        measured.fits.coefficients[..., 2] / measured.fits.reach,
-        measured.fits.begins,
-        measured.noise.max(axis=1),
-        settings.cloud_pitch,
-        trace.closed,
-    )
+    rounding, rounding_sigma = measured.rounding(settings.cloud_pitch, trace.closed)
     probe = chosen.parameters.probe_radius or 0.0
     convex = _convex(chosen, seen.normals, rounding, rounding_sigma)
     edge = measured.corners(-probe if convex else probe) if probe else seen

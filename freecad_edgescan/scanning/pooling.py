@@ -29,7 +29,7 @@ from .side_fit import (
 )
 
 _POOLED = 4  # sections on each side that decide together
-_STRIDES = (8, 4, 3)  # sections from one decision to the next, first to last
+_STRIDES = (8, 6, 4)  # sections from one decision to the next, first to last
 _POOLED_CURVATURE = 8
 _BESIDE = 5  # decisions that judge the one in their middle
 _LEAST_SEEN = 0.5  # of what they see, below which it is a stray
@@ -90,7 +90,21 @@ def shared_curvature(
     scatter = _pool(weight * np.square(own - mean), path, _POOLED_CURVATURE) / total
     known = _OVERLAP / total
     by_chance = np.maximum(_pool(np.ones_like(own), path, _POOLED_CURVATURE) / total - known, 0.0)
-    return mean, np.sqrt(np.maximum(scatter - by_chance, 0.0) + known + 1e-8)
+    return _perhaps_plane(mean, np.maximum(scatter - by_chance, 0.0) + known + 1e-8)
+
+
+def _perhaps_plane(mean: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Curvature and its sigma when half of all sides are planes and the others bent somehow.
+
+    The two models are averaged with their posterior probabilities (spike and slab; Hoeting and
+    others, Statistical Science 14, 1999), so that a side becomes a plane as the evidence says so,
+    and neighbours never differ in the model.
+    """
+    bent = variance + PRIOR_SIGMA[2] ** 2
+    # Logarithm of the odds of a plane; its ends are certain enough.
+    odds = 0.5 * np.log(bent / variance) - 0.5 * mean**2 * (1.0 / variance - 1.0 / bent)
+    curved = 1.0 / (1.0 + np.exp(np.clip(odds, -50.0, 50.0)))
+    return curved * mean, np.sqrt(curved * (variance + (1.0 - curved) * mean**2) + 1e-8)
 
 
 def times_counted(path: EdgePath, half_width: float) -> float:
