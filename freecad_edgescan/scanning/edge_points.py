@@ -22,7 +22,14 @@ from .edge_path import EdgePath
 from .fillet import rounding_radius
 from .neighbours import Neighbours
 from .patch_section import PatchSettings
-from .pooling import agreed_stretches, cleaned, evened_moments, shared_curvature, times_counted
+from .pooling import (
+    agreed_stretches,
+    cleaned,
+    evened_moments,
+    fitted_again,
+    shared_curvature,
+    times_counted,
+)
 from .section import Frames, SectionPoints
 from .side_fit import SideFits, fit_summed, sum_stretches
 from .stop import Stop
@@ -33,7 +40,6 @@ _SUPPLIED = 3  # points of a side below which a section bridges a gap
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 # Ends at which the sides go on.
 _GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
-_ROUNDINGS = 1  # times that a rounding is measured before the edge is
 _MOSTLY, _SOME = 0.5, 0.05  # shares of the sections
 _BESIDE = 11  # sections whose roundings are alike
 _MOST_ROUNDED = 0.6  # of a side
@@ -96,33 +102,32 @@ def measure_together(
     noise : standard deviation of the points along the normal, mm
     """
     points, plausible, extent = _strip(cloud, path, settings, noise)
-    measured = _measure(points, plausible, extent, path, settings, noise)
-    for _ in range(_ROUNDINGS):
-        rounded = _rounded_away(measured, settings, path.closed)
-        if rounded is None:
-            break
-        beyond = points.away > rounded[points.owner, points.side]
-        measured = _measure(points, plausible & beyond, extent, path, settings, noise)
-    return measured
+    pooled, outliers = cleaned(points[plausible], path, settings, noise)
+    pooled = replace(pooled, stretch=agreed_stretches(pooled.stretch, path))
+    used = plausible.copy()
+    used[plausible] = ~outliers
+    measured = _measure(points, used, pooled, extent, path, settings)
+    rounded = _rounded_away(measured, settings, path.closed)
+    if rounded is None:
+        return measured
+    used &= points.away > rounded[points.owner, points.side]
+    pooled = fitted_again(points[used], path, settings, pooled)
+    return _measure(points, used, pooled, extent, path, settings)
 
 
 def _measure(
     points: SectionPoints,
-    plausible: np.ndarray,
+    used: np.ndarray,
+    pooled: SideFits,
     extent: tuple[float, float],
     path: EdgePath,
     settings: PatchSettings,
-    noise: float,
 ) -> Measured:
-    """Measure all sections with those points (n,) bool of the strip that may be the sides'."""
-    pooled, outliers = cleaned(points[plausible], path, settings, noise)
-    used = plausible.copy()
-    used[plausible] = ~outliers
-    stretch = agreed_stretches(pooled.stretch, path)
-    own = sum_stretches(evened_moments(points[used], path, settings), stretch)
+    """Fit every section on those points (n,) bool that are the sides', where these are smooth."""
+    own = sum_stretches(evened_moments(points[used], path, settings), pooled.stretch)
     fits, borrowed_from = _supplied_fits(
         own,
-        replace(pooled, stretch=stretch),
+        pooled,
         shared_curvature(pooled, path, settings.half_width),
         path,
         settings.half_width,
@@ -155,10 +160,11 @@ def _rounded_away(measured: Measured, settings: PatchSettings, closed: bool) -> 
     if np.mean(known) < _MOSTLY:
         return None
     radius = np.interp(measured.at, measured.at[known], radius[known])
-    radius = median_filter(radius, min(_BESIDE, len(radius)), mode="wrap" if closed else "nearest")
     frames = measured.frames
     foot = np.einsum("mki,mi->mk", frames.sides, seen.point - frames.origin)
     touch = foot + frames.rolled_over(radius)[:, None]
+    mode = "wrap" if closed else "nearest"
+    touch = median_filter(touch, (min(_BESIDE, len(touch)), 1), mode=mode)
     touch = np.where(touch < _MOST_ROUNDED * measured.fits.ends, touch, 0.0)
     return touch if np.mean(touch > measured.fits.begins) > _SOME else None
 

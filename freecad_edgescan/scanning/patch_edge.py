@@ -26,7 +26,7 @@ from .vertex import FoundVertex
 
 # Times the usual, where an end of an edge is not believed.
 _MOST_SCATTER = 4.5
-_MOST_LEVERAGE = 4.0
+_MOST_LEVERAGE, _WILD_LEVERAGE = 4.0, 10.0
 _NO_NOISE = 1e-3  # pitches
 
 
@@ -156,7 +156,7 @@ def _without_unsupported_ends(
 
     A walk may overshoot: where a side has ended, points of other surfaces keep it going for a
     while, and scatter. A start that was given and a gate are no such ends; only their very last
-    sections, which have neighbours on one side alone, are looked at.
+    sections, which have neighbours on one side alone, are looked at, and wild ones.
     """
     first, last = measured.extent
     reached = (measured.at > first - 0.3 * cloud_pitch) & (measured.at < last + 0.3 * cloud_pitch)
@@ -168,7 +168,8 @@ def _without_unsupported_ends(
     leverage /= np.median(leverage, axis=0)
     sound = reached & measured.supplied
     sound &= np.all((scatter < _MOST_SCATTER) & (leverage < _MOST_LEVERAGE), axis=1)
-    given = reached & (sound | _inside(len(sound)))
+    wild = np.any(leverage > _WILD_LEVERAGE, axis=1)
+    given = reached & (sound | (_inside(len(sound)) & ~wild))
     good = [np.flatnonzero(given if stop in (Stop.START, Stop.GATE) else sound) for stop in stops]
     if not len(good[0]) or not len(good[1]) or good[0][0] > good[1][-1]:
         return measured

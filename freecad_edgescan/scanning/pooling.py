@@ -19,8 +19,11 @@ from .patch_section import PatchSettings
 from .section import SectionPoints
 from .side_fit import (
     BLOCK_EDGES,
+    LATER,
+    MOST_CURVED,
     PRIOR_SIGMA,
     SideFits,
+    astray_beside,
     block_counts,
     block_moments,
     choose_stretches,
@@ -66,6 +69,29 @@ def cleaned(
     return pooled, removed
 
 
+def fitted_again(
+    points: SectionPoints, path: EdgePath, settings: PatchSettings, pooled: SideFits
+) -> SideFits:
+    """Pooled sides fitted on other points, on the stretches that were decided."""
+    own = evened_moments(points, path, settings)
+    neighbours = Neighbours(path, settings.reach)
+    noise = np.sqrt(pooled.variance) * settings.reach
+
+    def fit(without: int, curvature: np.ndarray, sigma: np.ndarray) -> SideFits:
+        first, last = pooled.stretch[..., 0], pooled.stretch[..., 1]
+        stretch = np.stack([np.minimum(first + without, last - 2), last], axis=-1)
+        summed = neighbours.pooled_stretches(own, stretch, _POOLED)
+        return fit_summed(summed, settings.reach, noise, stretch, curvature, sigma)
+
+    walked = path.frames.curvature * settings.reach
+    expected = walked, np.full(walked.shape, PRIOR_SIGMA[2])
+    fits = fit(0, *expected)
+    astray = astray_beside(fits, [fit(k, *expected) for k in LATER])
+    mode = "wrap" if path.closed else "nearest"
+    astray = uniform_filter1d(astray, 3 * _STRIDES[-1], axis=0, mode=mode)
+    return replace(fits, accepted=fits.accepted & pooled.accepted, astray=astray)
+
+
 def agreed_stretches(stretch: np.ndarray, path: EdgePath) -> np.ndarray:
     """Begin late and end early where neighbours differ: a rounding in the fit costs more."""
     window = (min(2 * _POOLED + 1, len(stretch)), 1)
@@ -83,7 +109,8 @@ def shared_curvature(
     own = pooled.coefficients[..., 2]
     counted = times_counted(path, half_width)
     variance = np.maximum(counted * pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
-    weight = 1.0 / variance
+    # What curls like a rounding says nothing about the side.
+    weight = np.where(np.abs(own) > MOST_CURVED, 1e-9, 1.0) / variance
     total = _pool(weight, path, _POOLED_CURVATURE)
     mean = _pool(weight * own, path, _POOLED_CURVATURE) / total
     # Pooled windows overlap; what scatters beyond chance is real change.

@@ -75,9 +75,9 @@ class Frames:
         cosine = np.einsum("mi,mi->m", self.sides[:, 0], self.sides[:, 1])
         return np.pi - np.arccos(np.clip(cosine, -1.0, 1.0))
 
-    def rolled_over(self, probe_radius: float) -> np.ndarray:
-        """Distance from the edge within which a probe's centres roll round a rim, (m,) mm."""
-        return probe_radius * np.tan(0.5 * np.minimum(self.turn, 2.8))
+    def rolled_over(self, radius: float | np.ndarray) -> np.ndarray:
+        """How far from the edge a ball (m,) that rolls round it, or rounds it, touches, (m,) mm."""
+        return radius * np.tan(0.5 * np.minimum(self.turn, 2.8))
 
 
 def frames_from_sides(

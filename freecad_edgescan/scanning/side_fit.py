@@ -14,6 +14,7 @@ order one.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -42,11 +43,11 @@ _NUMBER[_FIRST, _LAST] = np.arange(len(_FIRST))
 _COVERAGE = 4
 
 # Reach over radius of curvature beyond which a stretch is a rounding, not a side.
-_MOST_CURVED = 1.3
+MOST_CURVED = 1.3
 
 # Blocks that are left out, one after the other, to see whether they move the edge, and by how many
 # standard deviations they may.
-_LATER = (1, 2)
+LATER = (1, 2)
 # Where there are many points: powers of a stretch's misfit, and of how far its first blocks move
 # the edge, by which it is taken less gladly, and how many times less gladly if there is any.
 _UNEVEN = (12, 6)
@@ -243,7 +244,7 @@ def choose_stretches(
     # A rounding is a smooth stretch too; its curvature, and the points it leaves over, tell.
     bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
     side = np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
-    side &= np.abs(coefficients[..., 2]) <= _MOST_CURVED
+    side &= np.abs(coefficients[..., 2]) <= MOST_CURVED
     side &= BLOCK_EDGES[_FIRST] * reach >= np.broadcast_to(least_begin, (2,))[:, None]
     if doubtful is not None:
         side &= ~np.any(_WITHIN & doubtful[:, :, None], axis=-1)
@@ -299,14 +300,41 @@ def _moved(
     the square of the movement, in variances, and what of it is more than noise does
     """
     moved, astray = np.zeros((2, *enough.shape))
-    for later in _LATER:
+    for later in LATER:
         rest = _NUMBER[np.minimum(_FIRST + later, BLOCKS), _LAST]
         known = enough[..., rest] & (rest >= 0)
-        gap = np.square(position[..., rest] - position)
-        free = np.maximum(leverage[..., rest] - leverage, 1e-12 * leverage[..., rest])
+        gap, free = _apart(position, leverage, position[..., rest], leverage[..., rest])
         moved = np.maximum(moved, np.where(known, gap / (variance * free), 0.0))
         astray = np.maximum(astray, np.where(known, gap - _BY_CHANCE * variance * free, 0.0))
     return moved, astray
+
+
+def _apart(
+    position: np.ndarray, leverage: np.ndarray, rest: np.ndarray, rest_leverage: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Squared distance of the edge by a fit and by a part of its points, and its leverage."""
+    free = np.maximum(rest_leverage - leverage, 1e-12 * rest_leverage)
+    return np.square(rest - position), free
+
+
+def astray_beside(fits: SideFits, later: Sequence[SideFits]) -> np.ndarray:
+    """What the first blocks of stretches move the edge beyond chance, (m, 2), in reaches².
+
+    Parameters
+    ----------
+    later : fits of the same stretches without their first block, and blocks
+    """
+    astray = np.zeros_like(fits.variance)
+    for rest in later:
+        gap, free = _apart(
+            fits.coefficients[..., 0],
+            fits.inverse[..., 0, 0],
+            rest.coefficients[..., 0],
+            rest.inverse[..., 0, 0],
+        )
+        beyond = gap - _BY_CHANCE * fits.variance * free
+        astray = np.maximum(astray, np.where(rest.count >= 8, beyond, 0.0))
+    return astray
 
 
 def fit_summed(

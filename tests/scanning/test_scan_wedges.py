@@ -182,11 +182,13 @@ def test_edge_points_scatter_as_their_covariance_says(wedge, sigmas_away):
 
 
 def test_twice_the_noise_is_twice_the_sigma(wedge):
+    """On average: how surely a side is a plane differs from cloud to cloud."""
     sigma = []
     for noise in (0.02, 0.04):
-        part = wedge(90.0, noise=noise)
-        sigma.append(scan_edge(part.cloud, part.at(0.1, 0.4)).sigma)
-    assert np.median(sigma[1]) / np.median(sigma[0]) == pytest.approx(2.0, rel=0.3)
+        parts = [wedge(90.0, noise=noise, seed=seed) for seed in range(6)]
+        found = [scan_edge(part.cloud, part.at(0.1, 0.4)) for part in parts]
+        sigma.append(np.mean([np.median(edge.sigma) for edge in found]))
+    assert sigma[1] / sigma[0] == pytest.approx(2.0, rel=0.2)
 
 
 def test_far_from_the_origin_the_edge_is_the_same(wedge):
