@@ -60,6 +60,20 @@ def test_the_table_names_parts_and_peers(rows) -> None:
     text = simple_table(rows)
     assert all(row.name in text for row in rows)
     assert "planes   variation" not in text
+    for line, row in zip(text.splitlines()[2:], rows, strict=True):
+        distances = [float(word) for word in line.split()[-4:]]
+        smoothed, single = row.in_sigmas, row.unsmoothed_in_sigmas
+        both = [*np.percentile(smoothed, [50, 95]), *np.percentile(single, [50, 95])]
+        np.testing.assert_allclose(distances, both, atol=5.1e-3)
+        # Smoothing makes errors smaller, and sigma as much smaller.
+        assert abs(np.median(smoothed) - np.median(single)) < 0.3
+
+
+def test_the_first_cloud_is_kept_for_a_picture(rows) -> None:
+    for row in rows:
+        first = row.first.errors
+        np.testing.assert_array_equal(first, row.errors[: len(first)])
+        assert len(first) < len(row.errors)
 
 
 def test_a_cancelled_measurement_keeps_whole_parts() -> None:
