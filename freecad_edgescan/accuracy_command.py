@@ -4,7 +4,9 @@
 from __future__ import annotations
 
 import argparse
+import os
 import shlex
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -48,6 +50,8 @@ def _simple_parts(options: argparse.Namespace) -> tuple[list[Any], int]:
     seeds = _SEEDS if options.seeds is None else options.seeds
     if seeds < 1:
         raise ValueError(f"--seeds is {seeds}; give 1 or more.")
+    if options.peers:
+        _reach_peers()
     if options.peers and missing_peers():
         raise ValueError(
             f"--peers needs {' and '.join(missing_peers())} from PyPI; ./edgescan installs them."
@@ -57,6 +61,16 @@ def _simple_parts(options: argparse.Namespace) -> tuple[list[Any], int]:
     if rows:
         print(simple_table(rows))
     return rows, exit_code(progress, bool(rows))
+
+
+def _reach_peers() -> None:
+    """Add the folder into which ./edgescan installs the peers, behind everything else.
+
+    NumPy and SciPy come along with them, and would be others than the scans are made with.
+    """
+    folder = os.environ.get("EDGESCAN_PEERS")
+    if folder and folder not in sys.path:
+        sys.path.append(folder)
 
 
 def _shapes(options: argparse.Namespace) -> list[tuple[str, Any]]:

@@ -62,7 +62,7 @@ _SIMPLE = f"""
 
 Pitch {PITCH:g} mm, noise {NOISE:g} mm (standard deviation along the normal), edge points
 {EDGE_PITCH:g} mm apart. Outliers are 5 % more points, anywhere within 20 pitches of the surface.
-{{peers}}
+
 {{wanted}}
 
     {{call}}
@@ -70,7 +70,7 @@ Pitch {PITCH:g} mm, noise {NOISE:g} mm (standard deviation along the normal), ed
 ```
 {{table}}
 ```
-
+{{peers}}
 ![Signed errors along the edges, on twice the stated sigma]({{along}})
 
 Signed errors along the edge of the first cloud of each part, and along that edge of the CAD parts

@@ -85,9 +85,9 @@ class PartReport:
             middle, most = median_and_95(self.in_sigmas)
             before, most_before = median_and_95(self.unsmoothed_in_sigmas)
             lines.append(
-                "Their distance in the standard deviations the scan states: median "
-                f"{middle:.2f}, 95 % {most:.2f}; of one section by itself {before:.2f}, "
-                f"{most_before:.2f} (true ones: {TRUE_MEDIAN:.2f}, {TRUE_95:.2f})."
+                f"Their distance in stated sigma: median {middle:.2f}, 95 % {most:.2f}; of one "
+                f"section by itself {before:.2f}, {most_before:.2f} "
+                f"(true ones: {TRUE_MEDIAN:.2f}, {TRUE_95:.2f})."
             )
         lines.append(
             f"Edge points farther than {WANDERING:g} pitches from every true edge: {wandering}."
