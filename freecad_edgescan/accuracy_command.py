@@ -169,7 +169,7 @@ def _report(options: argparse.Namespace) -> int:
     if not code:
         experiments, code = _experiments(options)
     if code:
-        tell(f"{options.report} is written only when nothing is missing, and is as it was.")
+        tell(f"{options.report} is written only when nothing is missing, and was left alone.")
         return code
     written = write_page(_measured(options, simple, parts, experiments), options.report)
     print(f"\nWrote {written[0]} and {len(written) - 1} pictures into {written[1].parent}")
@@ -182,7 +182,8 @@ def _experiments(options: argparse.Namespace) -> tuple[Any, int]:
 
     with TerminalProgress("published experiments") as progress:
         result = run_doe(method="patch", seed=options.seed, progress=progress)
-    print("\n" + experiments_table(result))
+    if result.runs:
+        print("\n" + experiments_table(result))
     return result, exit_code(progress, bool(result.runs))
 
 

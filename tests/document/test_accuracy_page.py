@@ -216,7 +216,7 @@ def test_a_command_that_is_stopped_leaves_the_old_page_alone_and_says_so(quick, 
     assert main(["accuracy", "--report", "docs/a.md"]) == 130
     said = capsys.readouterr()
     assert "two planes" in said.out  # what was measured
-    assert "docs/a.md is written only when nothing is missing, and is as it was." in said.err
+    assert "docs/a.md is written only when nothing is missing, and was left alone." in said.err
     assert Path("docs/a.md").read_text() == "as it was"
     assert not Path("docs/pictures").exists()
 
