@@ -4,9 +4,14 @@
 from __future__ import annotations
 
 import argparse
+import os
+import shlex
+import sys
+from pathlib import Path
 from typing import Any
 
-from freecad_edgescan.terminal_progress import TerminalProgress, exit_code
+from freecad_edgescan.output_files import check_output
+from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
 
 __all__ = ["measure"]
 
@@ -14,31 +19,39 @@ _SEEDS = 5  # clouds of each simple part
 
 
 def measure(options: argparse.Namespace) -> int:
-    """Print the tables that are asked for, and answer the exit code."""
+    """Print the tables that are asked for, write the page about them, and answer the exit code."""
     if options.wedges is not None:
         return _wedges(options)
     if options.sharp:
         raise ValueError("--sharp belongs to --wedges; give it, or leave --sharp out.")
     if options.fillet < 0.0:
         raise ValueError(f"--fillet is {options.fillet:g}; give a positive radius in mm.")
+    if options.report is not None:
+        _check_report(options)
+        return _report(options)
     for given, word in ((options.peers, "peers"), (options.seeds is not None, "seeds")):
         if given and options.parts:
             raise ValueError(f"--{word} belongs to the simple parts; leave --parts out.")
     if not options.parts:
-        code = _simple_parts(options)
+        _, code = _simple_parts(options)
         if code:
             return code
         print()
-    return _parts(options)
+    return _parts(options, _shapes(options) or [_block()])[1]
 
 
-def _simple_parts(options: argparse.Namespace) -> int:
+# ---------------------------------------------------------------- tables
+
+
+def _simple_parts(options: argparse.Namespace) -> tuple[list[Any], int]:
     from freecad_edgescan.document.accuracy_table import measure_simple_parts, simple_table
     from freecad_edgescan.experiments.peers import PEERS, missing_peers
 
     seeds = _SEEDS if options.seeds is None else options.seeds
     if seeds < 1:
         raise ValueError(f"--seeds is {seeds}; give 1 or more.")
+    if options.peers:
+        _reach_peers()
     if options.peers and missing_peers():
         raise ValueError(
             f"--peers needs {' and '.join(missing_peers())} from PyPI; ./edgescan installs them."
@@ -47,15 +60,37 @@ def _simple_parts(options: argparse.Namespace) -> int:
         rows = measure_simple_parts(seeds, list(PEERS) if options.peers else (), progress)
     if rows:
         print(simple_table(rows))
-    return exit_code(progress, bool(rows))
+    return rows, exit_code(progress, bool(rows))
 
 
-def _parts(options: argparse.Namespace) -> int:
-    from freecad_edgescan.document.known_parts import block_with_bore, filleted, sharp_part
-    from freecad_edgescan.document.part_report import read_part, report_part
+def _reach_peers() -> None:
+    """Add the folder into which ./edgescan installs the peers, behind everything else.
 
-    parts: list[tuple[str, Any]] = [(file.name, read_part(file)) for file in options.parts]
-    for number, (name, shape) in enumerate(parts or [("block with bore", block_with_bore())]):
+    NumPy and SciPy come along with them, and would be others than the scans are made with.
+    """
+    folder = os.environ.get("EDGESCAN_PEERS")
+    if folder and folder not in sys.path:
+        sys.path.append(folder)
+
+
+def _shapes(options: argparse.Namespace) -> list[tuple[str, Any]]:
+    from freecad_edgescan.document.part_report import read_part
+
+    return [(file.name, read_part(file)) for file in options.parts]
+
+
+def _block() -> tuple[str, Any]:
+    from freecad_edgescan.document.known_parts import block_with_bore
+
+    return "block with bore", block_with_bore()
+
+
+def _parts(options: argparse.Namespace, shapes: list[tuple[str, Any]]) -> tuple[list[Any], int]:
+    from freecad_edgescan.document.known_parts import filleted, sharp_part
+    from freecad_edgescan.document.part_report import report_part
+
+    reports: list[Any] = []
+    for name, shape in shapes:
         part = sharp_part(name, shape)
         if options.fillet:
             part = filleted(name, shape, options.fillet, options.pitch)
@@ -68,12 +103,13 @@ def _parts(options: argparse.Namespace) -> int:
                 options.seed,
                 progress,
             )
-        print(("\n" if number else "") + report.text())
+        print(("\n" if reports else "") + report.text())
         if options.fillet:
             print(_under_fillets(report, options))
+        reports.append(report)
         if progress.cancelled:
-            return exit_code(progress)
-    return 0
+            return reports, exit_code(progress)
+    return reports, 0
 
 
 def _under_fillets(report: Any, options: argparse.Namespace) -> str:
@@ -88,7 +124,7 @@ def _under_fillets(report: Any, options: argparse.Namespace) -> str:
 def _wedges(options: argparse.Namespace) -> int:
     from freecad_edgescan.experiments.wedge_search import search, wedge_table
 
-    others = ("parts", "peers", "fillet", "seeds")
+    others = ("parts", "peers", "fillet", "seeds", "report")
     for given, word in ((getattr(options, name), name) for name in others):
         if given:
             raise ValueError(f"--wedges are scanned instead of parts; leave --{word} out.")
@@ -98,3 +134,88 @@ def _wedges(options: argparse.Namespace) -> int:
         found = search(options.wedges, not options.sharp, 100_000 * options.seed, progress=progress)
     print(wedge_table(found))
     return exit_code(progress, bool(found))
+
+
+# ---------------------------------------------------------------- page
+
+
+def _check_report(options: argparse.Namespace) -> None:
+    """Refuse before anything is measured what could not be written after minutes of it."""
+    from freecad_edgescan.document.accuracy_page import picture_paths
+    from freecad_edgescan.experiments.figures import can_draw
+
+    page: Path = options.report
+    if options.fillet:
+        raise ValueError("--report is about sharp edges; leave --fillet or --report out.")
+    if not can_draw():
+        raise ValueError("--report needs matplotlib (Debian: python3-matplotlib); leave it out.")
+    if options.seed < 0:
+        raise ValueError(f"--seed is {options.seed}; give 0 or more.")
+    check_output(page, (".md",))
+    for picture in picture_paths(page).values():
+        if picture.parent.exists() and not picture.parent.is_dir():
+            raise ValueError(f"{picture.parent} is a file, where the pictures' folder is to be.")
+
+
+def _report(options: argparse.Namespace) -> int:
+    """Measure everything, and write the page when nothing is missing."""
+    from freecad_edgescan.document.accuracy_page import write_page
+
+    shapes = [_block(), *_shapes(options)]
+    simple, code = _simple_parts(options)
+    if not code:
+        print()
+        parts, code = _parts(options, shapes)
+    if not code:
+        experiments, code = _experiments(options)
+    if code:
+        tell(f"{options.report} is written only when nothing is missing, and was left alone.")
+        return code
+    written = write_page(_measured(options, simple, parts, experiments), options.report)
+    print(f"\nWrote {written[0]} and {len(written) - 1} pictures into {written[1].parent}")
+    return 0
+
+
+def _experiments(options: argparse.Namespace) -> tuple[Any, int]:
+    from freecad_edgescan.experiments import run_doe
+    from freecad_edgescan.experiments.doe_tables import experiments_table
+
+    with TerminalProgress("published experiments") as progress:
+        result = run_doe(method="patch", seed=options.seed, progress=progress)
+    if result.runs:
+        print("\n" + experiments_table(result))
+    return result, exit_code(progress, bool(result.runs))
+
+
+def _measured(
+    options: argparse.Namespace, simple: list[Any], parts: list[Any], experiments: Any
+) -> Any:
+    """The results, each with the command line that prints it."""
+    from freecad_edgescan.document.accuracy_page import Accuracy
+
+    simple_words = ["--peers"] if options.peers else []
+    simple_words += [] if options.seeds is None else ["--seeds", str(options.seeds)]
+    seed = ["--seed", str(options.seed)] if options.seed else []
+    cloud = ["--pitch", f"{options.pitch:g}", "--noise", f"{options.noise:g}"]
+    if options.probe_radius:
+        cloud += ["--probe-radius", f"{options.probe_radius:g}"]
+    cloud += seed
+    files = [file.name for file in options.parts]
+    given = ["--parts", *files] if files else []
+    page: Path = options.report
+    name = page.name if page.is_absolute() else str(page)  # where it lies is nobody's business
+    return Accuracy(
+        call=_call("accuracy", *simple_words, *given, *cloud, "--report", name),
+        simple=simple,
+        simple_call=_call("accuracy", *simple_words),
+        parts=[
+            (report, _call("accuracy", *words, *cloud))
+            for report, words in zip(parts, [[], *(["--parts", f] for f in files)], strict=True)
+        ],
+        experiments=experiments,
+        experiments_call=_call("doe", "--method", "patch", *seed),
+    )
+
+
+def _call(*words: str) -> str:
+    return "./edgescan " + shlex.join(words)

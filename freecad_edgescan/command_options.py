@@ -35,6 +35,11 @@ and without 5 % outliers.
   traced   share of it found within one pitch
   rms max  distance of the edge points from it
   sigma    mean standard deviation that the scan states itself
+
+examples:
+  edgescan accuracy --peers
+  edgescan accuracy --parts part.step --pitch 0.3 --noise 0.06
+  edgescan accuracy --peers --parts part.step --report docs/accuracy.md
 """
 
 
@@ -155,6 +160,11 @@ def _parser() -> argparse.ArgumentParser:
     accuracy.add_argument(
         "--seeds", type=_whole_number, metavar="N",
         help="clouds of each simple part (default: 5)",
+    )  # fmt: skip
+    accuracy.add_argument(
+        "--report", type=Path, metavar="FILE.md",
+        help="write all about accuracy as a page with pictures: simple parts, the block, --parts, "
+        "and the published experiments (doe --method patch), in about four minutes",
     )  # fmt: skip
     accuracy.add_argument(
         "--wedges", type=_whole_number, metavar="N",

@@ -87,6 +87,10 @@ class TrueEdge:
         start, end = self.points[index], self.points[(index + 1) % len(self)]
         return np.asarray(start + fraction[:, None] * (end - start), dtype=np.float64)
 
+    def residuals(self, points: ArrayLike) -> Array:
+        """Vectors from the edge to points (m, 3), (m, 3), mm."""
+        return np.asarray(points, dtype=np.float64) - self.nearest(points)
+
     def nearest_sample(self, points: ArrayLike) -> NDArray[np.intp]:
         """Index of the sample nearest along the edge to points (m, 3), for its tangent or angle."""
         _, index, fraction = distance_to_polyline(points, self.points, self.closed)

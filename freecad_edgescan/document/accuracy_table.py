@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..cloud import PointCloud, TrueEdge
+from ..cloud import PointCloud
 from ..experiments.edge_report import EdgeReport, report_edge, root_mean_square
+from ..experiments.honesty import median_and_95
 from ..experiments.peers import PEERS
 from ..scanning import Progress
 from .known_parts import KnownPart, simple_parts
@@ -31,17 +32,21 @@ class SimpleAccuracy:
     Attributes
     ----------
     name : of the part
-    errors, unsmoothed : (m,) distances of the edge points from the true edge, before and after they
-        were smoothed along it
-    in_sigmas : (m,) Mahalanobis distances
+    first : the scan of the first cloud, for a picture
+    errors, in_sigmas : (m,) distances of the edge points from the true edge, and Mahalanobis
+        distances
+    unsmoothed, unsmoothed_in_sigmas : (m,) the same of the sections by themselves, before they were
+        smoothed along the edge
     among_outliers : (k,) errors in the same clouds with outliers
     peers : (j,) errors of each peer, by its name; none where it was not asked
     """
 
     name: str
+    first: EdgeReport
     errors: Array
-    unsmoothed: Array
     in_sigmas: Array
+    unsmoothed: Array
+    unsmoothed_in_sigmas: Array
     among_outliers: Array
     peers: dict[str, Array]
 
@@ -82,13 +87,16 @@ def _measure(part: KnownPart, seed: int, peers: Sequence[str]) -> SimpleAccuracy
         for points in (cloud, with_outliers(cloud, seed))
     )
     asked = {name: truth.distance(PEERS[name][1](cloud, truth, NOISE)) for name in peers}
-    single = _unsmoothed(plain, truth)
-    return SimpleAccuracy(part.name, plain.errors, single, plain.in_sigmas, among.errors, asked)
-
-
-def _unsmoothed(report: EdgeReport, truth: TrueEdge) -> Array:
-    edge = report.edge
-    return np.zeros(0) if edge is None else truth.distance(edge.unsmoothed.points)
+    return SimpleAccuracy(
+        part.name,
+        plain,
+        plain.errors,
+        plain.in_sigmas,
+        plain.unsmoothed,
+        plain.unsmoothed_in_sigmas,
+        among.errors,
+        asked,
+    )
 
 
 def _joined(name: str, found: Sequence[SimpleAccuracy]) -> SimpleAccuracy:
@@ -97,9 +105,11 @@ def _joined(name: str, found: Sequence[SimpleAccuracy]) -> SimpleAccuracy:
 
     return SimpleAccuracy(
         name,
+        found[0].first,
         joined("errors"),
-        joined("unsmoothed"),
         joined("in_sigmas"),
+        joined("unsmoothed"),
+        joined("unsmoothed_in_sigmas"),
         joined("among_outliers"),
         {peer: np.concatenate([each.peers[peer] for each in found]) for peer in found[0].peers},
     )
@@ -119,17 +129,18 @@ def simple_table(rows: Sequence[SimpleAccuracy]) -> str:
     """Root mean square distances from the true edge, and how honest the scan is."""
     peers = list(rows[0].peers) if rows else []
     lines = [
-        "root mean square           edge      one     5 %   distance in sigma"
+        "root mean square           edge      one     5 %   sigmas: points   one section"
         + "".join(f"  {name.rpartition(' ')[0]:>10}" for name in peers),
-        "distance, mm             points  section  outliers  median    95 %"
+        "distance, mm             points  section  outliers  median  95 %  median  95 %"
         + "".join(f"  {name.rpartition(' ')[2]:>10}" for name in peers),
     ]
     for row in rows:
-        middle, most = np.percentile(row.in_sigmas, [50, 95])
+        distances = [*median_and_95(row.in_sigmas), *median_and_95(row.unsmoothed_in_sigmas)]
         lines.append(
             f"{row.name:<24} {root_mean_square(row.errors):.4f}   "
             f"{root_mean_square(row.unsmoothed):.4f}    "
-            f"{root_mean_square(row.among_outliers):.4f}  {middle:6.2f}  {most:6.2f}"
+            f"{root_mean_square(row.among_outliers):.4f}"
+            + "  {:6.2f}{:6.2f}  {:6.2f}{:6.2f}".format(*distances)
             + "".join(f"  {root_mean_square(row.peers[name]):10.4f}" for name in peers)
         )
     return "\n".join(lines)

@@ -14,14 +14,18 @@ from typing import Any
 import FreeCAD  # noqa: F401 (before Part, which ends the process otherwise)
 import numpy as np
 import Part
+from numpy.typing import NDArray
 
 from ..cloud.simulated_cloud import SimulatedCloud
 from ..experiments.edge_report import WANDERING, EdgeReport, report_edge
+from ..experiments.honesty import TRUE_95, TRUE_MEDIAN, median_and_95
 from ..scanning import Progress
 from .known_parts import KnownPart
 from .simulated_shape import simulate_cloud
 
 __all__ = ["PartReport", "read_part", "report_part"]
+
+Array = NDArray[np.float64]
 
 TRACED = 0.9  # share of a true edge from which on it counts as found
 
@@ -46,6 +50,16 @@ class PartReport:
         """The edges that were found along at least 90 % of their length."""
         return tuple(row for row in self.rows if row.traced >= TRACED)
 
+    @property
+    def in_sigmas(self) -> Array:
+        """Mahalanobis distances (m,) of the edge points on these."""
+        return np.concatenate([np.zeros(0), *(row.in_sigmas for row in self.traced)])
+
+    @property
+    def unsmoothed_in_sigmas(self) -> Array:
+        """The same of the sections by themselves, before they were smoothed along the edge."""
+        return np.concatenate([np.zeros(0), *(row.unsmoothed_in_sigmas for row in self.traced)])
+
     def text(self) -> str:
         """The table and its summary."""
         lines = [
@@ -56,9 +70,7 @@ class PartReport:
         return "\n".join([*lines, *self._summary()])
 
     def _summary(self) -> list[str]:
-        empty = np.zeros(0)
-        errors = np.concatenate([empty, *(row.errors for row in self.traced)])
-        distances = np.concatenate([empty, *(row.in_sigmas for row in self.traced)])
+        errors = np.concatenate([np.zeros(0), *(row.errors for row in self.traced)])
         wandering = sum(row.wandering for row in self.rows)
         lines = [
             f"{self.name}: {len(self.cloud)} points, {len(self.rows)} sharp edges; "
@@ -70,10 +82,12 @@ class PartReport:
                 f"one edge {max(row.rms for row in self.traced):.4f} mm, largest error "
                 f"{errors.max():.4f} mm."
             )
+            middle, most = median_and_95(self.in_sigmas)
+            before, most_before = median_and_95(self.unsmoothed_in_sigmas)
             lines.append(
-                "Their distance in the standard deviations the scan states: median "
-                f"{np.median(distances):.2f}, 95 % {np.percentile(distances, 95):.2f} "
-                "(true ones: 1.18, 2.45)."
+                f"Their distance in stated sigma: median {middle:.2f}, 95 % {most:.2f}; of one "
+                f"section by itself {before:.2f}, {most_before:.2f} "
+                f"(true ones: {TRUE_MEDIAN:.2f}, {TRUE_95:.2f})."
             )
         lines.append(
             f"Edge points farther than {WANDERING:g} pitches from every true edge: {wandering}."

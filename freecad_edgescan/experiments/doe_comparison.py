@@ -7,7 +7,7 @@ Ratios are taken over the tests that both completed and summarised as geometric 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ __all__ = [
     "Comparison",
     "Leader",
     "compare_all",
+    "compare_experiment",
     "compare_group",
     "effects",
     "leaders",
@@ -86,6 +87,12 @@ class Leader:
 def compare_group(result: DoeResult, group: Group) -> Comparison:
     """The runs of one pattern and degree beside the published ones."""
     return _compare(group_name(group), result.of_group(group).values(), counterparts(result, group))
+
+
+def compare_experiment(result: DoeResult, group: Group, experiment: int) -> Comparison:
+    """The runs of one pattern and degree and one experiment beside the published ones."""
+    mine = tuple(run for run in result if run.experiment == experiment)
+    return compare_group(replace(result, runs=mine), group)
 
 
 def compare_all(result: DoeResult) -> Comparison:

@@ -15,7 +15,8 @@ __all__ = ["DoeResult", "DoeRun", "Group", "group_name"]
 
 Group = tuple[str, int]  # pattern and degree
 PATCH: Group = ("patch", 0)
-_LENGTHS = ("avg_error", "max_error", "rms_error", "bound")
+_LENGTHS = ("avg_error", "max_error", "rms_error", "bound", "unsmoothed_rms")
+_DISTANCES = ("mahalanobis", "unsmoothed_mahalanobis")
 _SHARES = (50, 95)  # per cent of the edge points
 
 
@@ -36,6 +37,8 @@ class DoeRun:
     rms_error : root mean square of the distances, mm
     bound : the smallest one that is possible for unbiased edge points (see `edge_bound`), mm
     mahalanobis : of each edge point's error, by the covariance that the scan states for it
+    unsmoothed_rms, unsmoothed_mahalanobis : the same of the sections by themselves, before they
+        were smoothed along the edge
     """
 
     experiment: int
@@ -51,6 +54,8 @@ class DoeRun:
     rms_error: float = np.nan
     bound: float = np.nan
     mahalanobis: tuple[float, ...] = ()
+    unsmoothed_rms: float = np.nan
+    unsmoothed_mahalanobis: tuple[float, ...] = ()
 
     @property
     def group(self) -> Group:
@@ -115,16 +120,21 @@ class DoeResult:
 
 def write_csv(results: Sequence[DoeResult], path: str | Path) -> None:
     """Write the runs of one or more seeds into one table."""
-    names = [field.name for field in fields(DoeRun) if field.name != "mahalanobis"]
+    names = [field.name for field in fields(DoeRun) if field.name not in _DISTANCES]
     titles = [f"{name}_mm" if name in _LENGTHS else name for name in names]
     with Path(path).open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow(["seed", *titles, *(f"mahalanobis_{share}" for share in _SHARES)])
+        honesty = [f"{name}_{share}" for name in _DISTANCES for share in _SHARES]
+        writer.writerow(["seed", *titles, *honesty])
         for result in results:
             for run in result:
                 values = (getattr(run, name) for name in names)
-                honesty = np.percentile(run.mahalanobis or [np.nan], _SHARES)
-                writer.writerow([result.seed, *map(_text, values), *map(_text, honesty)])
+                shares = [
+                    share
+                    for name in _DISTANCES
+                    for share in np.percentile(getattr(run, name) or [np.nan], _SHARES)
+                ]
+                writer.writerow([result.seed, *map(_text, values), *map(_text, shares)])
 
 
 def group_name(group: Group) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from .collecting import collect
 from .doe_design import Trial
 from .doe_result import PATCH, DoeRun, Group
 from .edge_bound import edge_bound
+from .edge_report import root_mean_square
 from .honesty import mahalanobis
 from .processes import Failure
 
@@ -142,8 +144,9 @@ def edge_errors(trial: Trial, points: ArrayLike) -> NDArray[np.float64]:
     return np.hypot(np.hypot(x, y) - trial.edge_radius, z + trial.section_radius)
 
 
-def off_the_edge(trial: Trial, points: NDArray[np.float64]) -> NDArray[np.float64]:
+def off_the_edge(trial: Trial, points: ArrayLike) -> NDArray[np.float64]:
     """Vectors (m, 3) from the circle of the true edge to edge points (m, 3), mm."""
+    points = np.asarray(points, dtype=np.float64)
     x, y, _ = points.T
     share = trial.edge_radius / np.hypot(x, y)
     return points - np.column_stack([share * x, share * y, np.full(len(x), -trial.section_radius)])
@@ -155,6 +158,7 @@ def _run(task: RowTask, group: Group, cloud: SimulatedCloud) -> DoeRun:
         edge = scan_trial(trial, cloud, group, task.method, task.literal, task.overrides)
     except Exception as error:  # whatever it is, the other runs go on, and its text is kept
         return _failed(trial, group, str(error) or type(error).__name__)
+    single, off = edge.unsmoothed, partial(off_the_edge, trial)
     errors = edge_errors(trial, edge.points) if len(edge) else np.array([np.nan])
     amplitude = edge.parameters.amplitude or trial.amplitude
     edge_pitch = edge.parameters.edge_pitch or trial.edge_pitch
@@ -171,9 +175,11 @@ def _run(task: RowTask, group: Group, cloud: SimulatedCloud) -> DoeRun:
         completed=bool(completed),
         stop=edge.stops[1].name,
         message=edge.message,
-        rms_error=float(np.sqrt(np.mean(np.square(errors)))),
+        rms_error=root_mean_square(errors),
         bound=edge_bound(trial, cloud),
-        mahalanobis=tuple(mahalanobis(edge, off_the_edge(trial, edge.points)).tolist()),
+        mahalanobis=tuple(mahalanobis(edge, off).tolist()),
+        unsmoothed_rms=root_mean_square(edge_errors(trial, single.points)),
+        unsmoothed_mahalanobis=tuple(mahalanobis(single, off).tolist()),
     )
 
 

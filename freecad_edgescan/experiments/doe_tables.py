@@ -14,6 +14,7 @@ from .doe_comparison import (
     MOST_LEADERS,
     Comparison,
     compare_all,
+    compare_experiment,
     compare_group,
     effects,
     leaders,
@@ -22,12 +23,13 @@ from .doe_comparison import (
 from .doe_design import EXPERIMENTS, PARAMETERS, trial
 from .doe_published import published_counterparts
 from .doe_result import DoeResult, DoeRun, Group, group_name
+from .honesty import TRUE_95, TRUE_MEDIAN, median_and_95
 
 __all__ = [
     "comparison_table",
     "effects_table",
+    "experiments_table",
     "failures_table",
-    "honesty_table",
     "leaders_table",
     "seeds_table",
     "summary",
@@ -46,7 +48,7 @@ def summary(result: DoeResult) -> str:
     tables = [effects_table(result, experiment) for experiment in EXPERIMENTS]
     if any(tables):
         tables.insert(0, _EFFECTS_HEAD)
-    tables += [leaders_table(result), failures_table(result), honesty_table(result)]
+    tables += [leaders_table(result), failures_table(result), experiments_table(result)]
     tables += [comparison_table(result)]
     return "\n\n".join(filter(None, tables))
 
@@ -114,33 +116,48 @@ def failures_table(result: DoeResult) -> str:
     return "\n".join([*head, *(line for run in failed for line in _failure_lines(run))])
 
 
-def honesty_table(result: DoeResult) -> str:
-    """Our errors over the smallest possible ones, and over what the scans state; "" if unknown."""
+def experiments_table(result: DoeResult) -> str:
+    """Each experiment's completed runs against the published, the possible and the stated errors.
+
+    "" where no covariance is stated.
+    """
     lines = []
     for group in result.groups:
-        runs = [run for run in result.of_group(group).values() if run.completed]
+        runs = [run for run in result.of_group(group).values() if run.completed and run.mahalanobis]
         for experiment in sorted({run.experiment for run in runs}):
-            mine = [run for run in runs if run.experiment == experiment and run.mahalanobis]
-            if mine:
-                lines.append(_honesty_line(group, experiment, mine))
+            mine = [run for run in runs if run.experiment == experiment]
+            ratios = compare_experiment(result, group, experiment)
+            lines.append(_experiment_line(group, str(experiment), ratios, mine))
+        if len({run.experiment for run in runs}) > 1:
+            lines.append(_experiment_line(group, "all", compare_group(result, group), runs))
     if not lines:
         return ""
     head = (
-        "Root mean square error over the smallest one possible for edge points that share nothing",
-        "with their neighbours; distance from the true edge in the standard deviations the scan",
-        "states (Mahalanobis: 1.18 and 2.45 where they are true, less where they are too large)",
-        "                  rms error / bound     distance of edge points",
-        "    experiment    median   largest       median      95 %",
+        "Errors over the published ones, geometric mean; root mean square errors over the",
+        "smallest ones possible for edge points that share nothing with their neighbours; and",
+        "distances from the true edge in the standard deviations the scan states (Mahalanobis;",
+        f"{TRUE_MEDIAN:.2f} and {TRUE_95:.2f} where they are true, less where they are too large). "
+        "One section: before",
+        "edge points are smoothed along the edge.",
+        "             error / published     rms error / bound      distance in stated sigma",
+        "                                  one     edge points     edge points   one section",
+        "experiment   average  maximum  section  median  largest  median  95 %  median  95 %",
     )
     return "\n".join([*head, *lines])
 
 
-def _honesty_line(group: Group, experiment: int, runs: Sequence[DoeRun]) -> str:
-    ratios = [run.rms_error / run.bound for run in runs]
-    median, most = np.percentile([d for run in runs for d in run.mahalanobis], [50, 95])
+def _experiment_line(
+    group: Group, experiment: str, ratios: Comparison, runs: Sequence[DoeRun]
+) -> str:
+    single, smoothed = (
+        [getattr(run, name) / run.bound for run in runs] for name in ("unsmoothed_rms", "rms_error")
+    )
+    median, most = median_and_95([d for run in runs for d in run.mahalanobis])
+    before, most_before = median_and_95([d for run in runs for d in run.unsmoothed_mahalanobis])
     return (
-        f"{group_name(group):<6}{experiment:6d} {np.median(ratios):12.3f} {max(ratios):9.3f}"
-        f" {median:12.2f} {most:9.2f}"
+        f"{group_name(group):<6}{experiment:>4} {ratios.avg_ratio:9.3f} {ratios.max_ratio:8.3f}"
+        f" {np.median(single):8.3f} {np.median(smoothed):7.3f} {max(smoothed):8.3f}"
+        f" {median:7.2f} {most:5.2f} {before:7.2f} {most_before:5.2f}"
     )
 
 

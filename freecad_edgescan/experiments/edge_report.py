@@ -32,6 +32,8 @@ class EdgeReport:
     traced : share of the true edge within one pitch of the edge found
     errors : (k,) distances from the true edge, of the edge points that belong to it
     in_sigmas : (k,) their Mahalanobis distances
+    unsmoothed, unsmoothed_in_sigmas : (j,) the same of the sections by themselves, before they were
+        smoothed along the edge
     wandering : number of edge points farther than three pitches from every true edge
     """
 
@@ -41,6 +43,8 @@ class EdgeReport:
     traced: float
     errors: Array
     in_sigmas: Array
+    unsmoothed: Array
+    unsmoothed_in_sigmas: Array
     wandering: int
 
     @property
@@ -70,20 +74,32 @@ def report_edge(
     try:
         edge = scan_edge(cloud, at=truth.points[middle_of(truth)], parameters=chosen)
     except ScanError as error:
-        return EdgeReport(truth, None, str(error), 0.0, np.zeros(0), np.zeros(0), 0)
-    own = truth.distance(edge.points)
-    nearest = np.min([own, *(other.distance(edge.points) for other in others)], axis=0)
-    # Smooth chains of edges are followed as one; what lies on a neighbour is judged there.
-    mine = own <= nearest + 1e-9
+        none = np.zeros(0)
+        return EdgeReport(truth, None, str(error), 0.0, none, none, none, none, 0)
+    errors, in_sigmas, nearest = _judged(edge, truth, others)
+    unsmoothed, unsmoothed_in_sigmas, _ = _judged(edge.unsmoothed, truth, others)
     return EdgeReport(
         truth,
         edge,
         "",
         truth.traced_share(edge.points, pitch, edge.closed),
-        own[mine],
-        mahalanobis(edge, edge.points - truth.nearest(edge.points))[mine],
+        errors,
+        in_sigmas,
+        unsmoothed,
+        unsmoothed_in_sigmas,
         int(np.sum(nearest > WANDERING * pitch)),
     )
+
+
+def _judged(
+    edge: ScannedEdge, truth: TrueEdge, others: Sequence[TrueEdge]
+) -> tuple[Array, Array, Array]:
+    """Errors of the points that belong to the edge, and in sigmas; distances of all from any."""
+    own = truth.distance(edge.points)
+    nearest = np.min([own, *(other.distance(edge.points) for other in others)], axis=0)
+    # Smooth chains of edges are followed as one; what lies on a neighbour is judged there.
+    mine = own <= nearest + 1e-9
+    return own[mine], mahalanobis(edge, truth.residuals)[mine], nearest
 
 
 def middle_of(truth: TrueEdge) -> int:

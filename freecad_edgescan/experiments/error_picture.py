@@ -30,7 +30,7 @@ def signed_errors(edge: ScannedEdge, truth: TrueEdge) -> Array:
     worst = np.linalg.eigh(edge.covariance)[1][:, :, -1]
     worst *= np.where(worst @ np.array([1.0, 0.1]) < 0.0, -1.0, 1.0)[:, None]
     direction = np.einsum("ma,mai->mi", worst, across_axes(edge.normals))
-    off = edge.points - truth.nearest(edge.points)
+    off = truth.residuals(edge.points)
     return np.asarray(np.einsum("mi,mi->m", off, direction), dtype=np.float64)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from ..scanning import Progress, ScanError, scan_edge
 from .collecting import collect
-from .honesty import mahalanobis
+from .honesty import TRUE_95, TRUE_MEDIAN, mahalanobis, median_and_95
 from .processes import Failure
 from .random_wedges import RandomWedge, make_wedge
 
@@ -75,8 +75,8 @@ def judge(task: tuple[int, bool]) -> Judged:
         edge = scan_edge(cloud, at=click)
     except ScanError:
         return Judged(wedge, np.zeros(0), np.zeros(0))
-    off = truth.residuals(edge.points)
-    return Judged(wedge, mahalanobis(edge, off), np.linalg.norm(off, axis=1) / wedge.pitch)
+    errors = np.linalg.norm(truth.residuals(edge.points), axis=1)
+    return Judged(wedge, mahalanobis(edge, truth.residuals), errors / wedge.pitch)
 
 
 def search(
@@ -116,10 +116,10 @@ def wedge_table(found: Sequence[Judged]) -> str:
     lines = [judged.line() for judged in scanned if judged.wrong]
     if scanned:
         all_of_them = np.concatenate([judged.distances for judged in scanned])
-        middle, most = np.percentile(all_of_them, [50, 95])
+        middle, most = median_and_95(all_of_them)
         lines.append(
             f"Distance of edge points in the standard deviations the scan states: median "
-            f"{middle:.2f}, 95 % {most:.2f} (true ones: 1.18, 2.45)."
+            f"{middle:.2f}, 95 % {most:.2f} (true ones: {TRUE_MEDIAN:.2f}, {TRUE_95:.2f})."
         )
     wrong, elsewhere = (
         sum(getattr(judged, name) for judged in scanned) for name in ("wrong", "elsewhere")

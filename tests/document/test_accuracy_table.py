@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import sys
+from importlib.machinery import PathFinder
+from importlib.util import find_spec
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +14,7 @@ import pytest
 FreeCAD = pytest.importorskip("FreeCAD")
 
 from freecad_edgescan.__main__ import main  # noqa: E402
+from freecad_edgescan.accuracy_command import _reach_peers  # noqa: E402
 from freecad_edgescan.document.accuracy_table import (  # noqa: E402
     measure_simple_parts,
     simple_table,
@@ -60,6 +63,20 @@ def test_the_table_names_parts_and_peers(rows) -> None:
     text = simple_table(rows)
     assert all(row.name in text for row in rows)
     assert "planes   variation" not in text
+    for line, row in zip(text.splitlines()[2:], rows, strict=True):
+        distances = [float(word) for word in line.split()[-4:]]
+        smoothed, single = row.in_sigmas, row.unsmoothed_in_sigmas
+        both = [*np.percentile(smoothed, [50, 95]), *np.percentile(single, [50, 95])]
+        np.testing.assert_allclose(distances, both, atol=5.1e-3)
+        # Smoothing makes errors smaller, and sigma as much smaller.
+        assert abs(np.median(smoothed) - np.median(single)) < 0.3
+
+
+def test_the_first_cloud_is_kept_for_a_picture(rows) -> None:
+    for row in rows:
+        first = row.first.errors
+        np.testing.assert_array_equal(first, row.errors[: len(first)])
+        assert len(first) < len(row.errors)
 
 
 def test_a_cancelled_measurement_keeps_whole_parts() -> None:
@@ -113,3 +130,14 @@ def test_peers_that_are_not_installed_are_named(capsys, monkeypatch) -> None:
     monkeypatch.setattr("freecad_edgescan.experiments.peers.find_spec", lambda name: None)
     assert main(["accuracy", "--peers"]) == 2
     assert "pyransac3d and jakteristics" in capsys.readouterr().err
+
+
+def test_peers_are_reached_behind_the_packages_of_the_system(monkeypatch, tmp_path) -> None:
+    """What came along with them, such as another NumPy, must not take the system's place."""
+    (tmp_path / "numpy.py").write_text("")
+    (tmp_path / "only_here.py").write_text("")
+    monkeypatch.setattr(sys, "path", list(sys.path))
+    monkeypatch.setenv("EDGESCAN_PEERS", str(tmp_path))
+    _reach_peers()
+    assert find_spec("only_here").origin.startswith(str(tmp_path))
+    assert not PathFinder.find_spec("numpy").origin.startswith(str(tmp_path))

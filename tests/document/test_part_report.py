@@ -39,6 +39,9 @@ def test_the_text_has_a_row_for_each_edge_and_sums_up(report) -> None:
     lines = report.text().splitlines()
     assert sum(line.startswith("Edge") and "CORNER" in line for line in lines) == 12
     assert "12 of them traced along at least 90%" in report.text()
+    before = np.concatenate([row.unsmoothed_in_sigmas for row in report.rows])
+    middle, most = np.percentile(before, [50, 95])
+    assert f"of one section by itself {middle:.2f}, {most:.2f} (true ones" in report.text()
 
 
 def test_a_cancelled_report_keeps_the_edges_so_far() -> None:

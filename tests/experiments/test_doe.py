@@ -88,7 +88,8 @@ def test_half_the_amplitude_off_or_too_few_points_is_not_completed(monkeypatch) 
 
     def first(count: int) -> ScannedEdge:
         parts = ("points", "normals", "covariance")
-        return replace(edge, **{name: getattr(edge, name)[:count] for name in parts})
+        shorter = {name: getattr(edge, name)[:count] for name in parts}
+        return replace(edge, single=None, **shorter)
 
     assert completes(first(fewest))
     assert not completes(first(fewest - 1))

@@ -4,16 +4,25 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from freecad_edgescan.experiments import run_doe
+from freecad_edgescan.experiments.doe_comparison import compare_all
 from freecad_edgescan.experiments.doe_design import Trial, trial
 from freecad_edgescan.experiments.doe_scan import off_the_edge, scan_trial, trial_cloud
-from freecad_edgescan.experiments.doe_tables import honesty_table
+from freecad_edgescan.experiments.doe_tables import experiments_table
 from freecad_edgescan.experiments.edge_bound import edge_bound
-from freecad_edgescan.experiments.honesty import mahalanobis
+from freecad_edgescan.experiments.honesty import (
+    TRUE_95,
+    TRUE_MEDIAN,
+    mahalanobis,
+    median_and_95,
+    true_share,
+)
 from freecad_edgescan.scanning.corner import across_axes
 
 PATCH = ("patch", 0)
@@ -81,19 +90,53 @@ def test_a_distance_is_measured_in_the_stated_standard_deviations() -> None:
         way = across_axes(edge.normals)[:, axis]
         way = np.einsum("mi,mi->m", way, radial)[:, None] * radial + way * [0.0, 0.0, 1.0]
         moved = replace(edge, points=exact + 0.3 * way, covariance=covariance)
-        assert mahalanobis(moved, off_the_edge(row, moved.points)) == pytest.approx(
-            0.3 / sigma, rel=0.05
-        )
+        distances = mahalanobis(moved, partial(off_the_edge, row))
+        assert distances == pytest.approx(0.3 / sigma, rel=0.05)
 
 
-def test_the_table_tells_how_honest_the_scans_are() -> None:
+def test_the_table_tells_how_exact_and_how_honest_the_scans_are() -> None:
     result = run_doe([9], method="patch", tests=[7, 8], jobs=1)
-    table = honesty_table(result)
     runs = [run for run in result if run.completed]
-    ratio = np.median([run.rms_error / run.bound for run in runs])
-    assert f"patch      9 {ratio:12.3f}" in table
+    compared = compare_all(result)
+    ratios = np.array([[run.unsmoothed_rms, run.rms_error] for run in runs])
+    ratios /= [[run.bound] for run in runs]
     # Neighbours share curvature, so that errors below the bound are no wonder; half is enough.
-    assert 0.2 < ratio < 1.0
-    found = np.percentile(np.concatenate([run.mahalanobis for run in runs]), [50, 95])
-    assert 0.6 < found[0] < 1.5
-    assert found[1] < 3.2
+    assert np.all((ratios > 0.2) & (ratios < 1.0))
+    numbers = [compared.avg_ratio, compared.max_ratio, *np.median(ratios, axis=0)]
+    numbers.append(ratios[:, 1].max())
+    for name in ("mahalanobis", "unsmoothed_mahalanobis"):
+        median, most = median_and_95(np.concatenate([getattr(run, name) for run in runs]))
+        assert 0.6 < median < 1.5
+        assert most < 3.2
+        numbers += [median, most]
+    line = next(line for line in experiments_table(result).splitlines() if line[:5] == "patch")
+    assert [float(word) for word in line.split()[1:]] == pytest.approx([9, *numbers], abs=5e-3)
+
+
+def test_runs_know_their_sections_before_smoothing() -> None:
+    """With the numbers of the edge itself, not of the smoothed one."""
+    row = trial(9, 8)
+    (run,) = run_doe([9], method="patch", tests=[8], jobs=1)
+    single = scan_trial(row, trial_cloud(row, 0), PATCH, "patch").unsmoothed
+    off = off_the_edge(row, single.points)
+    assert run.unsmoothed_rms == pytest.approx(np.sqrt(np.mean(np.sum(off**2, axis=1))), rel=1e-6)
+    assert run.unsmoothed_rms != run.rms_error
+    assert len(run.unsmoothed_mahalanobis) == run.points
+
+
+def test_true_covariances_give_the_distances_of_two_normal_directions() -> None:
+    """Sampled with a covariance that is neither round nor along the axes."""
+    rng = np.random.default_rng(5)
+    spread = np.array([[0.04, 0.015], [0.015, 0.01]])
+    off = rng.multivariate_normal([0.0, 0.0], spread, 200_000)
+    normals = np.tile([[1.0, 1.0, 0.0], [1.0, -1.0, 0.0]], (len(off), 1, 1)) / np.sqrt(2.0)
+    edge = SimpleNamespace(
+        points=np.column_stack([off, np.zeros(len(off))]),
+        normals=normals,
+        covariance=np.broadcast_to(spread, (len(off), 2, 2)),
+    )
+    distances = mahalanobis(edge, lambda points: points)
+    assert median_and_95(distances) == pytest.approx((TRUE_MEDIAN, TRUE_95), abs=0.02)
+    for distance in (0.5, 1.0, 2.0, 3.0):
+        assert np.mean(distances < distance) == pytest.approx(true_share(distance), abs=0.005)
+    assert true_share([TRUE_MEDIAN, TRUE_95]) == pytest.approx([0.5, 0.95])

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What is wanted of the accuracy, beside what was measured: whatever is not reached is said."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..experiments.doe_comparison import compare_experiment
+from ..experiments.doe_result import DoeResult
+from ..experiments.edge_report import WANDERING, root_mean_square
+from .accuracy_table import SimpleAccuracy
+from .part_report import TRACED, PartReport
+
+__all__ = [
+    "RATIOS",
+    "Wanted",
+    "of_experiments",
+    "of_part",
+    "of_simple_parts",
+    "unreached",
+    "wanted_table",
+]
+
+_RMS = {"two planes": 0.006, "two planes, fillet 2 mm": 0.012, "cylinder rim": 0.008}  # mm
+_WORSE = 1.5  # times as much among outliers
+_FOUND, _OF = 13, 14  # edges of a part
+_PART_RMS = 0.15  # mm, of one edge
+RATIOS = {"average": 0.18, "maximum": 0.30}  # of errors over the published ones
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """One line of what is wanted.
+
+    Attributes
+    ----------
+    what : is measured
+    limit, measured : as text, with the unit
+    reached : whether it is as good as wanted
+    """
+
+    what: str
+    limit: str
+    measured: str
+    reached: bool
+
+
+def of_simple_parts(rows: Sequence[SimpleAccuracy]) -> list[Wanted]:
+    """The edge points' errors, and how much worse outliers make them."""
+    wanted = []
+    for row in rows:
+        rms, among = root_mean_square(row.errors), root_mean_square(row.among_outliers)
+        wanted += [
+            _at_most(f"{row.name}: rms error", _RMS[row.name], rms, " mm"),
+            _at_most(f"{row.name}: rms error with outliers over without", _WORSE, among / rms),
+        ]
+    return wanted
+
+
+def of_part(report: PartReport) -> list[Wanted]:
+    """How many edges are found well, and that no edge point lies somewhere else."""
+    good = sum(row.rms <= _PART_RMS for row in report.traced)
+    fewest = math.ceil(_FOUND * len(report.rows) / _OF)
+    wandering = sum(row.wandering for row in report.rows)
+    return [
+        Wanted(
+            f"edges found along {TRACED:.0%} of their length with an rms error of at most "
+            f"{_PART_RMS:g} mm".replace("%", " %"),
+            f"at least {fewest} of {len(report.rows)}",
+            f"{good}",
+            good >= fewest,
+        ),
+        Wanted(
+            f"edge points farther than {WANDERING:g} pitches from every true edge",
+            "0",
+            f"{wandering}",
+            wandering == 0,
+        ),
+    ]
+
+
+def of_experiments(result: DoeResult) -> list[Wanted]:
+    """That every scan completes, with errors far below the published ones in each experiment."""
+    wanted = [
+        Wanted(
+            "scans completed",
+            f"{len(result)} of {len(result)}",
+            f"{result.completed}",
+            result.completed == len(result),
+        )
+    ]
+    for group in result.groups:
+        ratios = [
+            compare_experiment(result, group, experiment)
+            for experiment in sorted({run.experiment for run in result})
+        ]
+        for name, values in (
+            ("average", [each.avg_ratio for each in ratios]),
+            ("maximum", [each.max_ratio for each in ratios]),
+        ):
+            what = f"{name} error over the published one, in the worst experiment"
+            wanted.append(_at_most(what, RATIOS[name], float(np.max(values))))
+    return wanted
+
+
+def _at_most(what: str, limit: float, measured: float, unit: str = "") -> Wanted:
+    digits = 4 if unit else 3
+    most, found = f"at most {limit:g}{unit}", f"{measured:.{digits}f}{unit}"
+    return Wanted(what, most, found, bool(measured <= limit))
+
+
+def wanted_table(wanted: Iterable[Wanted]) -> str:
+    """A Markdown table of it."""
+    lines = ["| | wanted | measured | reached |", "|---|---|---|---|"]
+    for each in wanted:
+        reached = "yes" if each.reached else "**no**"
+        lines.append(f"| {each.what} | {each.limit} | {each.measured} | {reached} |")
+    return "\n".join(lines)
+
+
+def unreached(wanted: Iterable[Wanted]) -> str:
+    """A Markdown list of what is not reached, or the sentence that all is."""
+    lines = [
+        f"- {each.what}: {each.measured}, wanted {each.limit}."
+        for each in wanted
+        if not each.reached
+    ]
+    return "\n".join(["Not reached:", "", *lines] if lines else ["All that is wanted is reached."])
