@@ -110,7 +110,7 @@ def shared_curvature(
     counted = times_counted(path, half_width)
     variance = np.maximum(counted * pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
     # What curls like a rounding says nothing about the side.
-    weight = np.where(np.abs(own) > MOST_CURVED, 1e-9, 1.0) / variance
+    weight = np.where(np.abs(own) > 2.0 * MOST_CURVED, 1e-9, 1.0) / variance
     total = _pool(weight, path, _POOLED_CURVATURE)
     mean = _pool(weight * own, path, _POOLED_CURVATURE) / total
     # Pooled windows overlap; what scatters beyond chance is real change.
