@@ -10,8 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..experiments.doe_comparison import compare_experiment
-from ..experiments.doe_result import DoeResult
+from ..experiments.doe_result import DoeResult, DoeRun
 from ..experiments.edge_report import WANDERING, root_mean_square
+from ..experiments.honesty import median_and_95
 from .accuracy_table import SimpleAccuracy
 from .part_report import TRACED, PartReport
 
@@ -29,6 +30,8 @@ _RMS = {"two planes": 0.006, "two planes, fillet 2 mm": 0.012, "cylinder rim": 0
 _WORSE = 1.5  # times as much among outliers
 _FOUND, _OF = 13, 14  # edges of a part
 _PART_RMS = 0.15  # mm, of one edge
+_BOUND_SINGLE, _BOUND_FINAL = (1.1, 1.6), 0.8  # median and 95 % of the runs; median
+_SIGMAS, _SIGMAS_95 = (0.95, 1.5), 3.2  # true ones have 1.18 and 2.45
 RATIOS = {"average": 0.18, "maximum": 0.30}  # of errors over the published ones
 
 
@@ -104,7 +107,47 @@ def of_experiments(result: DoeResult) -> list[Wanted]:
         ):
             what = f"{name} error over the published one, in the worst experiment"
             wanted.append(_at_most(what, RATIOS[name], float(np.max(values))))
+        runs = [run for run in result.of_group(group).values() if run.completed]
+        wanted += [*_of_bounds(runs), *_of_sigmas(runs)]
     return wanted
+
+
+def _of_bounds(runs: Sequence[DoeRun]) -> list[Wanted]:
+    """That errors come near to the smallest possible, and smoothing goes below."""
+    known = [run for run in runs if np.isfinite(run.bound)]
+    if not known:
+        return []
+    single = median_and_95([run.unsmoothed_rms / run.bound for run in known])
+    final, _ = median_and_95([run.rms_error / run.bound for run in known])
+    over = "rms error over the smallest possible"
+    return [
+        _at_most(f"{over}, one section, median", _BOUND_SINGLE[0], single[0]),
+        _at_most(f"{over}, one section, 95 %", _BOUND_SINGLE[1], single[1]),
+        _at_most(f"{over}, edge points, median", _BOUND_FINAL, final),
+    ]
+
+
+def _of_sigmas(runs: Sequence[DoeRun]) -> list[Wanted]:
+    """That stated sigmas are true in each experiment."""
+    stated = [
+        median_and_95([d for run in runs if run.experiment == experiment for d in run.mahalanobis])
+        for experiment in sorted({run.experiment for run in runs if run.mahalanobis})
+    ]
+    if not stated:
+        return []
+    medians, most = zip(*stated, strict=True)
+    low, high = _SIGMAS
+    return [
+        Wanted(
+            "distance in stated sigma, median, of every experiment",
+            f"{low:g} to {high:g}",
+            f"{min(medians):.2f} to {max(medians):.2f}",
+            low <= min(medians) and max(medians) <= high,
+        ),
+        _at_most(
+            "distance in stated sigma, 95 %, in the worst experiment", _SIGMAS_95, float(max(most))
+        ),
+    ]
 
 
 def _at_most(what: str, limit: float, measured: float, unit: str = "") -> Wanted:

@@ -51,7 +51,7 @@ def experiments() -> DoeResult:
                 max_error=run.max_error / 5.0,
                 rms_error=0.03,
                 bound=0.06,
-                mahalanobis=(1.0, 1.5, 7.77),
+                mahalanobis=(1.0, 1.2, 2.77),
                 unsmoothed_rms=0.05,
                 unsmoothed_mahalanobis=(0.9, 1.4, 3.0),
             )
@@ -110,7 +110,17 @@ def test_the_page_holds_what_the_results_say_below_the_commands(measured, tmp_pa
     assert rows_of(text, "average error") == [["at most 0.18", "0.100", "yes"]]
     assert rows_of(text, "maximum error") == [["at most 0.3", "0.200", "yes"]]
     assert rows_of(text, "scans completed") == [["192 of 192", "192", "yes"]]
-    assert rows_of(text, "experiments") == [["1.50", "7.77", "7.77", "1.40", "3.00", "3.00"]]
+    assert rows_of(text, "rms error over the smallest possible, one section") == [
+        ["at most 1.1", "0.833", "yes"],
+        ["at most 1.6", "0.833", "yes"],
+    ]
+    assert rows_of(text, "rms error over the smallest possible, edge") == [
+        ["at most 0.8", "0.500", "yes"]
+    ]
+    assert rows_of(text, "distance in stated sigma, median") == [
+        ["0.95 to 1.5", "1.20 to 1.20", "yes"]
+    ]
+    assert rows_of(text, "experiments") == [["1.20", "2.77", "2.77", "1.40", "3.00", "3.00"]]
     assert "All that is wanted is reached." in text
     assert str(tmp_path) not in text
     assert written == [page, *picture_paths(page).values()]
@@ -138,6 +148,21 @@ def test_what_is_not_reached_is_said_first_and_in_its_table(measured, report, tm
     assert "block: edge points farther than 3 pitches from every true edge: 2, wanted 0." in top
     assert "scans completed: 191, wanted 192 of 192." in top
     assert rest.count("| **no** |") == 4
+
+
+def test_sigmas_of_one_experiment_that_are_not_true_are_not_reached(measured, tmp_path) -> None:
+    """Too large ones are as untrue as too small ones."""
+    page = tmp_path / "page.md"
+    runs = tuple(
+        replace(run, mahalanobis={3: (0.4, 0.5), 4: (1.2, 4.0)}.get(run.experiment, (1.1, 1.3)))
+        for run in measured.experiments.runs
+    )
+    write_page(replace(measured, experiments=replace(measured.experiments, runs=runs)), page)
+    text = page.read_text(encoding="utf-8")
+    assert rows_of(text, "distance in stated sigma, median") == [
+        ["0.95 to 1.5", "0.45 to 2.60", "**no**"]
+    ]
+    assert rows_of(text, "distance in stated sigma, 95 %") == [["at most 3.2", "4.000", "**no**"]]
 
 
 def test_no_edge_at_all_is_not_reached_either(measured, report, tmp_path) -> None:
