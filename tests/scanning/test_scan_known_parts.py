@@ -152,6 +152,19 @@ def test_rounded_rims_of_the_core_box_are_found_where_the_sharp_ones_were():
         assert np.nanmedian(edge.fillet_radius) == pytest.approx(0.8, rel=0.15)
 
 
+@pytest.mark.parametrize("rim", [1, 2])
+def test_rounded_rims_beside_the_narrow_land_are_found_where_the_sharp_ones_were(rim):
+    """Rounded by 0.8 mm, and rolled over by the probe: nothing is left of most of the land."""
+    part = CoreBox(rim_radius=0.8)
+    truth = part.edges[rim]
+    edge = scan_edge(part.cloud(seed=1), truth.points[len(truth) // 2])
+    error = np.linalg.norm(truth.residuals(edge.points), axis=1)
+    assert error.mean() <= 0.025
+    assert error.max() <= 0.1
+    assert np.nanmedian(edge.fillet_radius) == pytest.approx(0.8, rel=0.15)
+    assert truth.traced_share(edge.points, 0.5) > 0.98
+
+
 @pytest.mark.xfail(
     strict=True, reason="in a pipe of 8 mm the rounding takes a fifth of the wall: off by 0.06 mm"
 )
