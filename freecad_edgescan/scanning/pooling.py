@@ -23,17 +23,19 @@ from .side_fit import (
     MOST_CURVED,
     PRIOR_SIGMA,
     SideFits,
-    astray_beside,
     block_counts,
     block_moments,
     choose_stretches,
     fit_summed,
+    moved_by_first_blocks,
     without_crowds,
 )
 
 _POOLED = 4  # sections on each side that decide together
 _STRIDES = (8, 6, 4)  # sections from one decision to the next, first to last
 _POOLED_CURVATURE = 8
+_ALIKE = 6 * (2 * _POOLED + 1)  # sections over which what is left of a rounding is much the same
+_BY_CHANCE = 1.5  # times that what noise moves may be met by chance, on their average
 _BESIDE = 5  # decisions that judge the one in their middle
 _LEAST_SEEN = 0.5  # of what they see, below which it is a stray
 # Of where the walk has seen a side begin. A single section rather runs into a rounding than that
@@ -86,9 +88,15 @@ def fitted_again(
     walked = path.frames.curvature * settings.reach
     expected = walked, np.full(walked.shape, PRIOR_SIGMA[2])
     fits = fit(0, *expected)
-    astray = astray_beside(fits, [fit(k, *expected) for k in LATER])
+    # What is left of a rounding is alike along the edge; chance is not.
     mode = "wrap" if path.closed else "nearest"
-    astray = uniform_filter1d(astray, 3 * _STRIDES[-1], axis=0, mode=mode)
+    astray = np.zeros_like(fits.variance)
+    for without in LATER:
+        gap, by_chance = (
+            uniform_filter1d(part, min(_ALIKE, len(path)), axis=0, mode=mode)
+            for part in moved_by_first_blocks(fits, fit(without, *expected))
+        )
+        astray = np.maximum(astray, gap - _BY_CHANCE * by_chance)
     return replace(fits, accepted=fits.accepted & pooled.accepted, astray=astray)
 
 

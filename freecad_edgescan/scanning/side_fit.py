@@ -14,7 +14,6 @@ order one.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -317,24 +316,21 @@ def _apart(
     return np.square(rest - position), free
 
 
-def astray_beside(fits: SideFits, later: Sequence[SideFits]) -> np.ndarray:
-    """What the first blocks of stretches move the edge beyond chance, (m, 2), in reaches².
+def moved_by_first_blocks(fits: SideFits, rest: SideFits) -> tuple[np.ndarray, np.ndarray]:
+    """Squared distance (m, 2) of the edge by two fits, and the variance noise gives it, reaches².
 
     Parameters
     ----------
-    later : fits of the same stretches without their first block, and blocks
+    rest : fits of the same stretches without their first block, or blocks
     """
-    astray = np.zeros_like(fits.variance)
-    for rest in later:
-        gap, free = _apart(
-            fits.coefficients[..., 0],
-            fits.inverse[..., 0, 0],
-            rest.coefficients[..., 0],
-            rest.inverse[..., 0, 0],
-        )
-        beyond = gap - _BY_CHANCE * fits.variance * free
-        astray = np.maximum(astray, np.where(rest.count >= 8, beyond, 0.0))
-    return astray
+    gap, free = _apart(
+        fits.coefficients[..., 0],
+        fits.inverse[..., 0, 0],
+        rest.coefficients[..., 0],
+        rest.inverse[..., 0, 0],
+    )
+    known = rest.count >= 8
+    return np.where(known, gap, 0.0), np.where(known, fits.variance * free, 0.0)
 
 
 def fit_summed(

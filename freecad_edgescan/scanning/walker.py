@@ -18,7 +18,7 @@ from .progress import Progress, SoFar
 from .section import Section, Station
 from .stop import Stop
 
-_TELL_EVERY = 10  # stations
+_TELL_EVERY = 5  # stations
 
 Arrived = Callable[[np.ndarray, np.ndarray], bool]
 
