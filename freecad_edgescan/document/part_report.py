@@ -28,6 +28,11 @@ __all__ = ["PartReport", "read_part", "report_part"]
 Array = NDArray[np.float64]
 
 TRACED = 0.9  # share of a true edge from which on it counts as found
+_ROOM, _LONG, _RMS = (
+    5.0,
+    12.0,
+    0.25,
+)  # pitches: what a scan needs of an edge, and how well it finds it
 
 
 @dataclass(frozen=True)
@@ -38,11 +43,13 @@ class PartReport:
     ----------
     name : of the part
     cloud : the simulated scan
+    pitch : of it, mm
     rows : one for each sharp edge
     """
 
     name: str
     cloud: SimulatedCloud
+    pitch: float
     rows: tuple[EdgeReport, ...]
 
     @property
@@ -89,10 +96,36 @@ class PartReport:
                 f"section by itself {before:.2f}, {most_before:.2f} "
                 f"(true ones: {TRUE_MEDIAN:.2f}, {TRUE_95:.2f})."
             )
+        lines += self._by_room()
         lines.append(
             f"Edge points farther than {WANDERING:g} pitches from every true edge: {wandering}."
         )
         return lines
+
+    def _by_room(self) -> list[str]:
+        """How many are found where there is room to see the sides, and where there is less."""
+        lines = []
+        roomy = [row for row in self.rows if self._has_room(row)]
+        narrow = [row for row in self.rows if not self._has_room(row)]
+        for rows, where in (
+            (roomy, f"With {_ROOM:g} pitches of room and more, and {_LONG:g} of length"),
+            (narrow, "With less"),
+        ):
+            if rows:
+                found = [row for row in rows if self._is_found(row)]
+                middle = np.median([row.rms for row in found]) if found else np.nan
+                lines.append(
+                    f"{where}: {len(found)} of {len(rows)} found, with an rms error of at most "
+                    f"{_RMS:g} pitches (median {middle:.4f} mm)."
+                )
+        return lines
+
+    def _has_room(self, row: EdgeReport) -> bool:
+        room = float(np.min(row.truth.room))
+        return room >= _ROOM * self.pitch and row.truth.length > _LONG * self.pitch
+
+    def _is_found(self, row: EdgeReport) -> bool:
+        return row.traced >= TRACED and row.rms <= _RMS * self.pitch and not row.wandering
 
 
 def read_part(path: str | Path) -> Any:
@@ -144,7 +177,7 @@ def report_part(
         if progress is not None and not progress.update(number / len(sought), truth.name):
             break
         rows.append(report_edge(cloud, truth, pitch, others))
-    return PartReport(part.name, cloud, tuple(rows))
+    return PartReport(part.name, cloud, pitch, tuple(rows))
 
 
 def _line(row: EdgeReport) -> str:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -42,6 +43,24 @@ def test_the_text_has_a_row_for_each_edge_and_sums_up(report) -> None:
     before = np.concatenate([row.unsmoothed_in_sigmas for row in report.rows])
     middle, most = np.percentile(before, [50, 95])
     assert f"of one section by itself {middle:.2f}, {most:.2f} (true ones" in report.text()
+
+
+def test_edges_with_little_room_are_counted_by_themselves(report) -> None:
+    rows = report.rows
+    lost = replace(rows[0], traced=0.5)
+    wide = replace(report, rows=(lost, *rows[1:]))
+    middle = np.median([row.rms for row in rows[1:]])
+    said = "With 5 pitches of room and more, and 12 of length: 11 of 12 found"
+    assert (
+        f"{said}, with an rms error of at most 0.25 pitches (median {middle:.4f} mm)."
+        in wide.text()
+    )
+    assert "With less" not in wide.text()
+    # The same edges, were the points as far apart as a quarter of the part.
+    coarse = replace(wide, pitch=5.0)
+    assert "With less: 11 of 12 found" in coarse.text()
+    astray = replace(wide, rows=(lost, replace(rows[1], wandering=1), *rows[2:]))
+    assert "10 of 12 found" in astray.text()
 
 
 def test_a_cancelled_report_keeps_the_edges_so_far() -> None:
