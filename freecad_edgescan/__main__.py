@@ -110,6 +110,8 @@ def _bench(options: argparse.Namespace) -> int:
 
     with TerminalProgress("bench") as progress:
         speed = measure_speed(options.points, progress)
+    if speed is None:
+        return exit_code(progress, found=False)
     print(f"cloud              {speed.points} points")
     for ending, seconds in speed.reading.items():
         ratio = seconds / speed.bare_indexing

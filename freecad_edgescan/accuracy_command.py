@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import argparse
+import math
 import os
 import shlex
 import sys
@@ -20,12 +21,11 @@ _SEEDS = 5  # clouds of each simple part
 
 def measure(options: argparse.Namespace) -> int:
     """Print the tables that are asked for, write the page about them, and answer the exit code."""
+    _check_numbers(options)
     if options.wedges is not None:
         return _wedges(options)
     if options.sharp:
         raise ValueError("--sharp belongs to --wedges; give it, or leave --sharp out.")
-    if options.fillet < 0.0:
-        raise ValueError(f"--fillet is {options.fillet:g}; give a positive radius in mm.")
     if options.report is not None:
         _check_report(options)
         return _report(options)
@@ -38,6 +38,19 @@ def measure(options: argparse.Namespace) -> int:
             return code
         print()
     return _parts(options, _shapes(options) or [_block()])[1]
+
+
+def _check_numbers(options: argparse.Namespace) -> None:
+    """Refuse numbers that cannot be before anything is measured."""
+    if not 0.0 < options.pitch < math.inf:
+        raise ValueError(f"--pitch is {options.pitch:g}; give a positive length in mm.")
+    for word, what in (("noise", "noise"), ("probe_radius", "radius"), ("fillet", "radius")):
+        value = getattr(options, word)
+        if not 0.0 <= value < math.inf:
+            option = word.replace("_", "-")
+            raise ValueError(f"--{option} is {value:g}; give 0 or a positive {what} in mm.")
+    if options.seed < 0:
+        raise ValueError(f"--seed is {options.seed}; give 0 or more.")
 
 
 # ---------------------------------------------------------------- tables
@@ -149,8 +162,6 @@ def _check_report(options: argparse.Namespace) -> None:
         raise ValueError("--report is about sharp edges; leave --fillet or --report out.")
     if not can_draw():
         raise ValueError("--report needs matplotlib (Debian: python3-matplotlib); leave it out.")
-    if options.seed < 0:
-        raise ValueError(f"--seed is {options.seed}; give 0 or more.")
     check_output(page, (".md",))
     for picture in picture_paths(page).values():
         if picture.parent.exists() and not picture.parent.is_dir():

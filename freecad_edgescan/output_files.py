@@ -16,7 +16,10 @@ def check_output(path: Path, endings: Sequence[str], scan: str | None = None) ->
     if scan is not None:
         check_not_the_scan(path, scan)
     if path.suffix.lower() not in endings:
-        raise ValueError(f"{path} has an unknown ending; use one of {' '.join(endings)}.")
+        ending = f"one of {' '.join(endings)}" if len(endings) > 1 else endings[0]
+        raise ValueError(f"'{path}' has an unknown ending; use {ending}.")
+    if path.is_dir():
+        raise ValueError(f"{path} is a folder; give the name of a file.")
     if not path.parent.is_dir():
         raise ValueError(f"{path} cannot be written: there is no folder {path.parent}.")
 

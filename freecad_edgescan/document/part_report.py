@@ -144,7 +144,9 @@ def read_part(path: str | Path) -> Any:
         shape = Part.Shape()
         shape.read(str(file))
     except Exception as error:  # Part raises its own kinds, some of them not documented
-        raise ValueError(f"{file} cannot be read as CAD: {error}.") from error
+        said = error.args[0] if error.args else error
+        said = said.get("sErrMsg", said) if isinstance(said, dict) else said
+        raise ValueError(f"{file} cannot be read as CAD ({said}); export it again.") from error
     if shape.isNull() or not shape.Faces:
         raise ValueError(f"{file} holds no faces; give a part made of solids or surfaces.")
     return shape

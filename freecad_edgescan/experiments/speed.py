@@ -84,7 +84,7 @@ class Speed:
         return seconds * 1e6 / self.points
 
 
-def measure_speed(points: int = 1_000_000, progress: Progress | None = None) -> Speed:
+def measure_speed(points: int = 1_000_000, progress: Progress | None = None) -> Speed | None:
     """Time reading, indexing and scanning on a simulated cloud with one curved edge.
 
     Parameters
@@ -92,7 +92,7 @@ def measure_speed(points: int = 1_000_000, progress: Progress | None = None) -> 
     points : int
         About how many points the cloud shall have.
     progress : object with ``update``, optional
-        Is told how far the measurement is; its answer is not heeded.
+        Is told how far the measurement is; where it answers False, the result is None.
 
     Raises
     ------
@@ -101,20 +101,24 @@ def measure_speed(points: int = 1_000_000, progress: Progress | None = None) -> 
     if points < 10_000:
         raise ValueError(f"A speed cannot be told from {points} points; take 10000 or more.")
     tell = progress.update if progress is not None else _tell_nobody
-    tell(0.0, "simulating")
+    if not tell(0.0, "simulating"):
+        return None
     cloud = simulated_cloud(points)
     reading = {}
     with TemporaryDirectory() as folder:
         for number, ending in enumerate((".xyz", ".ply")):
-            tell(0.1 + 0.2 * number, f"reading {ending}")
+            if not tell(0.1 + 0.2 * number, f"reading {ending}"):
+                return None
             path = Path(folder) / f"cloud{ending}"
             write_cloud(cloud, path)
             reading[ending] = _seconds(partial(read_cloud, path))[0]
-    tell(0.6, "indexing")
+    if not tell(0.6, "indexing"):
+        return None
     array = np.array(cloud.points)
     bare = min(_seconds(lambda: cKDTree(array, balanced_tree=False))[0] for _ in range(3))
     indexing = min(_seconds(lambda: PointCloud(array).tree)[0] for _ in range(3))
-    tell(0.7, "scanning")
+    if not tell(0.7, "scanning"):
+        return None
     fresh = PointCloud(array)
     fresh.tree  # noqa: B018 (built before the clock of the scan starts)
     true_edge = cloud.edges[0]

@@ -119,9 +119,10 @@ def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
     beside = cloud.points[cloud.tree.query(middle)[1]]
     if away > begins + _BESIDE * float(cloud.local_pitch(beside[None])[0, 0]):
         raise ScanError(
-            f"What meets near ({_text(middle)}) meets {away:.3g} mm outside the points, though "
-            f"the sides begin {begins:.2g} mm from there: they are the two faces of something "
-            "thin, or too short, and have no edge there. Click elsewhere, or scan denser."
+            f"The sides near ({_text(middle)}) come together {away:.3g} mm outside the points, "
+            f"although they begin {begins:.2g} mm from there: they are the two faces of something "
+            "too thin for this pitch, and have no edge there. An edge needs sides of four pitches; "
+            "click on a wider one, or scan denser."
         )
 
 

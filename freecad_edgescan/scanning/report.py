@@ -5,10 +5,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge
 from .stop import Stop
 
 _FAR_OUTSIDE = 3.0  # pitches
+_MOST_SCATTER = 0.5  # pitches, that no scanner's noise is
 _ADVICE = {
     Stop.LOST: "try a larger amplitude, or click again beyond the place",
     Stop.SMOOTH: "the turn between the sides fell below the least angle",
@@ -54,6 +56,13 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
             f"The two sides meet {outside:.3g} mm outside the points: a rounding or wear has taken "
             "the edge away, or there never was a sharp one."
         )
+    scatter, pitch = _scatter(edge), edge.parameters.cloud_pitch or np.inf
+    if scatter > _MOST_SCATTER * pitch:
+        sentences.append(
+            f"The points scatter by {scatter:.3g} mm about the sides and are {pitch:.3g} mm apart: "
+            "the surface may be there twice (two scans that do not match, a thin wall), and then "
+            "the edge is between the two, or worse than stated."
+        )
     amplitude = edge.reasons.get("amplitude", "")
     if amplitude.startswith("given; "):
         sentences.append(f"The amplitude of {edge.parameters.amplitude:.3g} mm was {amplitude}.")
@@ -66,6 +75,14 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
     if ignored:
         sentences.append(f"Without effect in the patch method: {', '.join(ignored)}.")
     return " ".join(sentences)
+
+
+def _scatter(edge: ScannedEdge) -> float:
+    """Median standard deviation of the points about the worse side, mm; 0 of a probe's lines."""
+    if not isinstance(edge.scan_lines, ScanLines) or not len(edge):
+        return 0.0
+    fits = edge.scan_lines.fits
+    return float(np.median(np.sqrt(fits.variance.max(axis=1))) * fits.reach)
 
 
 def _ends(edge: ScannedEdge) -> str:

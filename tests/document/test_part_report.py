@@ -96,7 +96,7 @@ def test_the_command_reads_a_part_from_a_file(tmp_path: Path, capsys) -> None:
     [
         ("part.xyz", "0 0 0", "unknown ending"),
         ("missing.step", None, "no file"),
-        ("broken.step", "this is not a STEP file", "broken.step"),
+        ("broken.step", "this is not a STEP file", "broken.step cannot be read as CAD .Error in"),
     ],
 )
 def test_bad_parts_are_one_sentence(

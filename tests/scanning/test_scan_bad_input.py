@@ -211,3 +211,17 @@ def test_a_click_on_a_flat_side_does_not_mean_an_edge_farther_off(wedge, pitches
     sentence = refusal(part.cloud, part.at(0.0, 0.5 * pitches))
     assert "nearest edge" in sentence
     assert f"{0.5 * pitches:.2g}" in sentence
+
+
+def test_a_surface_that_is_there_twice_is_said():
+    """Two scans of one part that do not match, a millimetre apart."""
+    rng = np.random.default_rng(0)
+    count = 4800
+    along, away = rng.uniform(0, 60, (2, count)), rng.uniform(-20, 0, (2, count))
+    zero = np.zeros(count)
+    once = np.vstack(
+        [np.column_stack([along[0], away[0], zero]), np.column_stack([along[1], zero, away[1]])]
+    )
+    twice = np.vstack([once, once - [0, 1, 1]]) + rng.normal(0, 0.05, (4 * count, 3))
+    assert "there twice" in scan_edge(PointCloud(twice), (30, 0, 0)).message
+    assert "there twice" not in scan_edge(PointCloud(twice[: 2 * count]), (30, 0, 0)).message
