@@ -35,6 +35,7 @@ __all__ = ["scan_with_patches"]
 
 Point = Sequence[float] | np.ndarray
 _BESIDE = 1.2  # pitches: what an edge may be off its points besides where its sides begin
+_CAREFUL = 0.7  # edge pitches, of a step where an edge seems to end
 FEWEST_POINTS = 3  # edge points that make an edge
 
 
@@ -83,11 +84,10 @@ def _trace(
     progress: Progress | None,
 ) -> Trace:
     settings = section.settings
-    free = arrived is None and start is None
-    longest = settings.longest_free_step if free else settings.longest_step
-    gait = AdaptiveGait(settings.edge_pitch, settings.half_width, longest)
-    if free:
-        return trace_both_ways(section, first, gait, progress)
+    gait = AdaptiveGait(settings.edge_pitch, settings.half_width, settings.longest_step)
+    if arrived is None and start is None:
+        careful = replace(gait, longest_step=_CAREFUL * settings.edge_pitch)
+        return trace_both_ways(section, first, gait, progress, careful)
     if arrived is not None and start is None:
         first = heading_for(first, arrived)
     return trace_one_way(section, first, gait, arrived, progress)

@@ -57,19 +57,8 @@ class PatchSettings:
 
     @property
     def longest_step(self) -> float:
-        """Longest step of a walk that is not to run far past a gate; see `longest_free_step`."""
-        return self._step(0.25, 3.0)
-
-    @property
-    def longest_free_step(self) -> float:
-        """Longest step of a walk to wherever the edge ends.
-
-        The edge points are laid one edge pitch apart afterwards.
-        """
-        return self._step(0.4, 6.0)
-
-    def _step(self, reaches: float, pitches: float) -> float:
-        return float(np.clip(reaches * self.reach, self.edge_pitch, pitches * self.edge_pitch))
+        """Longest step of the walk; the edge points are laid one edge pitch apart afterwards."""
+        return float(np.clip(0.25 * self.reach, self.edge_pitch, 3.0 * self.edge_pitch))
 
     def with_reach(self, reach: float) -> PatchSettings:
         """The same settings with another reach."""

@@ -39,6 +39,7 @@ def walk(
     limit: int = 100_000,
     progress: Progress | None = None,
     known: Sequence[Station] = (),
+    behind: Sequence[Station] = (),
 ) -> Walk:
     """Walk along the tangent of the first station until the edge ends.
 
@@ -51,9 +52,11 @@ def walk(
     limit : largest number of stations
     progress : told after some stations, may cancel
     known : the first station and what an earlier walk the other way found, for the progress
+    behind : stations that were walked before the first one; where the edge closes, it is there
     """
     stations = [first]
-    travelled = 0.0
+    home = behind[0] if behind else first
+    travelled = float(np.nansum([station.step for station in [*behind[1:], first][: len(behind)]]))
     teller = _Teller(progress, stations, known)
     while True:
         if len(stations) > limit:
@@ -66,7 +69,7 @@ def walk(
         here, there = last.frame.origin[0], station.frame.origin[0]
         if arrived is not None and arrived(here, there):
             return teller.last(Walk(stations[1:], Stop.GATE))
-        if _closed(stations, travelled, gait.longest_step):
+        if _closed(home, station, travelled, gait.longest_step):
             return teller.last(Walk(stations[1:], Stop.CLOSED))
         if not teller.tell():
             return Walk(stations[1:], Stop.CANCELLED)
@@ -96,11 +99,11 @@ class _Teller:
         return result if self.tell(1) else Walk(result.stations, Stop.CANCELLED)
 
 
-def _closed(stations: list[Station], travelled: float, longest_step: float) -> bool:
-    """Whether the walk has come back to its first station."""
+def _closed(home: Station, here: Station, travelled: float, longest_step: float) -> bool:
+    """Whether the walk has come back to where it began."""
     if travelled < 4.0 * longest_step:
         return False
-    first, last = stations[0].frame, stations[-1].frame
+    first, last = home.frame, here.frame
     gap = first.origin[0] - last.origin[0]
     ahead = float(gap @ last.tangent[0])
     return (
