@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from freecad_edgescan.cloud import read_cloud as read_cloud
     from freecad_edgescan.cloud import write_cloud as write_cloud
     from freecad_edgescan.geometry import BSplineCurve as BSplineCurve
+    from freecad_edgescan.geometry import BSplineSurface as BSplineSurface
     from freecad_edgescan.scanning import AnalyticCmm as AnalyticCmm
     from freecad_edgescan.scanning import Cmm as Cmm
     from freecad_edgescan.scanning import Gate as Gate
@@ -66,6 +67,7 @@ _HOME_OF = {
     "Progress": "scanning",
     # geometry
     "BSplineCurve": "geometry",
+    "BSplineSurface": "geometry",
 }
 _PACKAGES = ("experiments", "document")
 
