@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import recommend_parameters as recommend_parameters
     from freecad_edgescan.scanning import scan_boundary as scan_boundary
     from freecad_edgescan.scanning import scan_edge as scan_edge
+    from freecad_edgescan.surfacing import SurfaceFit as SurfaceFit
+    from freecad_edgescan.surfacing import fit_surface as fit_surface
 
 __version__ = "0.1.0"
 
@@ -65,6 +67,9 @@ _HOME_OF = {
     "PointCloudCmm": "scanning",
     "Safeguards": "scanning",
     "Progress": "scanning",
+    # surfacing
+    "fit_surface": "surfacing",
+    "SurfaceFit": "surfacing",
     # geometry
     "BSplineCurve": "geometry",
     "BSplineSurface": "geometry",
