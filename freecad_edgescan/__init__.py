@@ -38,7 +38,10 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import scan_boundary as scan_boundary
     from freecad_edgescan.scanning import scan_edge as scan_edge
     from freecad_edgescan.surfacing import SurfaceFit as SurfaceFit
+    from freecad_edgescan.surfacing import SurfaceIntersection as SurfaceIntersection
+    from freecad_edgescan.surfacing import extend_surface as extend_surface
     from freecad_edgescan.surfacing import fit_surface as fit_surface
+    from freecad_edgescan.surfacing import intersect_surfaces as intersect_surfaces
 
 __version__ = "0.1.0"
 
@@ -70,6 +73,9 @@ _HOME_OF = {
     # surfacing
     "fit_surface": "surfacing",
     "SurfaceFit": "surfacing",
+    "extend_surface": "surfacing",
+    "intersect_surfaces": "surfacing",
+    "SurfaceIntersection": "surfacing",
     # geometry
     "BSplineCurve": "geometry",
     "BSplineSurface": "geometry",

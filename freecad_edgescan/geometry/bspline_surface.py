@@ -163,8 +163,12 @@ class BSplineSurface:
 
     def tangents(self, u: ArrayLike, v: ArrayLike) -> tuple[Array, Array]:
         """First derivatives in u and in v, each of the parameters' shape plus (3,)."""
-        _, along_v, along_u, _ = self._derivatives(u, v, 1, 1)
-        return along_u, along_v
+        return self.point_and_tangents(u, v)[1:]
+
+    def point_and_tangents(self, u: ArrayLike, v: ArrayLike) -> tuple[Array, Array, Array]:
+        """Points and first derivatives in u and in v, each of the parameters' shape plus (3,)."""
+        point, along_v, along_u, _ = self._derivatives(u, v, 1, 1)
+        return point, along_u, along_v
 
     def normal(self, u: ArrayLike, v: ArrayLike) -> Array:
         """Unit normals ∂S/∂u × ∂S/∂v: the parameters' shape plus (3,); zero where there is none."""

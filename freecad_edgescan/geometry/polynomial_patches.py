@@ -80,6 +80,9 @@ class PolynomialPatches:
 
     def groups(self, patch: NDArray[np.intp]) -> Iterator[tuple[int, NDArray[np.intp]]]:
         """Each patch's number with the rows that lie in it, at most some thousand at a time."""
+        if len(patch) == 1:
+            yield int(patch[0]), np.zeros(1, dtype=np.intp)
+            return
         count = self.shape[0] * self.shape[1]
         order = np.argsort(patch.astype(np.uint16 if count < 65536 else np.intp), kind="stable")
         edges = np.append(np.flatnonzero(np.diff(patch[order], prepend=-1)), len(order))
