@@ -39,6 +39,7 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import scan_edge as scan_edge
     from freecad_edgescan.surfacing import SurfaceFit as SurfaceFit
     from freecad_edgescan.surfacing import SurfaceIntersection as SurfaceIntersection
+    from freecad_edgescan.surfacing import SweptSurface as SweptSurface
     from freecad_edgescan.surfacing import extend_surface as extend_surface
     from freecad_edgescan.surfacing import fit_surface as fit_surface
     from freecad_edgescan.surfacing import intersect_surfaces as intersect_surfaces
@@ -76,6 +77,7 @@ _HOME_OF = {
     "extend_surface": "surfacing",
     "intersect_surfaces": "surfacing",
     "SurfaceIntersection": "surfacing",
+    "SweptSurface": "surfacing",
     # geometry
     "BSplineCurve": "geometry",
     "BSplineSurface": "geometry",

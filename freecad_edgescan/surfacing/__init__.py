@@ -5,12 +5,19 @@ from .extension import Side, extend_surface
 from .fit_result import SurfaceFit
 from .intersection import SurfaceIntersection, intersect_surfaces
 from .surface_fit import fit_surface
+from .sweep_kind import SweepKind, sweep_kinds
+from .swept_surface import Pairing, SweepModel, SweptSurface
 
 __all__ = [
+    "Pairing",
     "Side",
     "SurfaceFit",
     "SurfaceIntersection",
+    "SweepKind",
+    "SweepModel",
+    "SweptSurface",
     "extend_surface",
     "fit_surface",
     "intersect_surfaces",
+    "sweep_kinds",
 ]
