@@ -39,9 +39,11 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import scan_edge as scan_edge
     from freecad_edgescan.surfacing import SurfaceFit as SurfaceFit
     from freecad_edgescan.surfacing import SurfaceIntersection as SurfaceIntersection
+    from freecad_edgescan.surfacing import SweptFit as SweptFit
     from freecad_edgescan.surfacing import SweptSurface as SweptSurface
     from freecad_edgescan.surfacing import extend_surface as extend_surface
     from freecad_edgescan.surfacing import fit_surface as fit_surface
+    from freecad_edgescan.surfacing import fit_swept_surface as fit_swept_surface
     from freecad_edgescan.surfacing import intersect_surfaces as intersect_surfaces
 
 __version__ = "0.1.0"
@@ -78,6 +80,8 @@ _HOME_OF = {
     "intersect_surfaces": "surfacing",
     "SurfaceIntersection": "surfacing",
     "SweptSurface": "surfacing",
+    "fit_swept_surface": "surfacing",
+    "SweptFit": "surfacing",
     # geometry
     "BSplineCurve": "geometry",
     "BSplineSurface": "geometry",

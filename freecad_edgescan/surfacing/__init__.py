@@ -6,6 +6,7 @@ from .fit_result import SurfaceFit
 from .intersection import SurfaceIntersection, intersect_surfaces
 from .surface_fit import fit_surface
 from .sweep_kind import SweepKind, sweep_kinds
+from .swept_fit import SweptFit, fit_swept_surface
 from .swept_surface import Pairing, SweepModel, SweptSurface
 
 __all__ = [
@@ -15,9 +16,11 @@ __all__ = [
     "SurfaceIntersection",
     "SweepKind",
     "SweepModel",
+    "SweptFit",
     "SweptSurface",
     "extend_surface",
     "fit_surface",
+    "fit_swept_surface",
     "intersect_surfaces",
     "sweep_kinds",
 ]

@@ -24,7 +24,7 @@ from .surface_through import surface_through
 if TYPE_CHECKING:
     from ..scanning import Progress
 
-__all__ = ["averaged", "fit_with_enough_poles"]
+__all__ = ["averaged", "fit_with_enough_poles", "some_of"]
 
 Array = NDArray[np.float64]
 
@@ -46,7 +46,7 @@ def fit_with_enough_poles(
     if tolerance is not None and not tolerance > 0.0:
         raise ValueError(f"The tolerance is {tolerance} mm; give a positive length.")
     search = _Search(base, degree, tolerance, smoothing, int((~given.outside).sum()), progress)
-    some = _some_of(given)
+    some = some_of(given)
     poles = search.grown(some, (degree[0] + 1, degree[1] + 1))
     fit = search.fit(given, poles, corrections)
     if tolerance is not None and some is not given and fit.maximum > tolerance:
@@ -131,7 +131,7 @@ def _wider(poles: tuple[int, int]) -> tuple[tuple[int, int], ...]:
     return (more[0], poles[1]), (poles[0], more[1]), (more[0], more[1])
 
 
-def _some_of(given: Parameterised) -> Parameterised:
+def some_of(given: Parameterised) -> Parameterised:
     """Every so manieth point, so that no more than enough remain."""
     step = -(-len(given.u) // _SOME)
     if step == 1:

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Swept surfaces fitted to a segment of a cloud: rails and profiles move, the intent stays.
+
+Schreve 6.6.3, for both models: the base sweep gives the points their parameters; rails and profiles
+over averaged knots are fitted, and the parameters corrected to the fitted sweep.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..geometry import BSplineSurface
+from .blend_fit import BlendFit
+from .fit_result import SurfaceFit, signed_deviation
+from .parameterised import Parameterised, parameterised
+from .pole_count import averaged, some_of
+from .rotate_fit import RotateFit
+from .swept_surface import SweepModel, SweptSurface
+
+if TYPE_CHECKING:
+    from ..scanning import Progress
+
+__all__ = ["SweptFit", "fit_swept_surface"]
+
+Array = NDArray[np.float64]
+
+_ROUNDS = {SweepModel.BLEND: 3, SweepModel.ROTATE: 8}
+_ENOUGH = 1e-3  # relative change of the rms at which the rounds end
+_SHARE = 0.1  # of the points' rms: the surface's own tolerance against the sweep
+
+
+@dataclass(frozen=True, eq=False)
+class SweptFit(SurfaceFit):
+    """A fitted sweep: `sweep` with its rails and profiles, and `surface`, the B-spline of it."""
+
+    sweep: SweptSurface | None = None
+
+
+def fit_swept_surface(
+    points: ArrayLike,
+    base: SweptSurface,
+    control_points: tuple[int, int] = (14, 7),
+    progress: Progress | None = None,
+) -> SweptFit:
+    """The sweep of the base's model that fits points best.
+
+    Parameters
+    ----------
+    points : (n, 3) array
+        Points of the segment in mm, compensated for the probe.
+    base : SweptSurface
+        Two rails and profiles near the points.
+    control_points : two int
+        Number of poles of each rail and of each profile.
+    progress : object with ``update(fraction, so_far) -> bool``, optional
+        Told the fit so far; when it answers False that is the result.
+
+    Returns
+    -------
+    SweptFit; deviations are those from the sweep.
+
+    Raises
+    ------
+    ValueError: a base with one rail, fewer points than unknowns, or too few control points.
+    """
+    if len(base.rails) != 2:
+        raise ValueError("Only sweeps along two rails are fitted; give the base a second rail.")
+    for name, count in zip(("rails", "profiles"), control_points, strict=True):
+        if count < 4:
+            raise ValueError(f"{count} control points are too few for the {name}; give 4 or more.")
+    surface = base.to_bspline(1e-2)
+    given = parameterised(points, surface)
+    poles = 2 * control_points[0] + len(base.profiles) * (control_points[1] - 2)
+    on = int((~given.outside).sum())
+    if on < 3 * poles:
+        raise ValueError(
+            f"Rails and profiles of {control_points[0]} and {control_points[1]} control points "
+            f"need at least {3 * poles} points, and only {on} of the {len(given.u)} lie over the "
+            "base surface; give more points, or fewer control points."
+        )
+    knots = averaged(given, surface, control_points, (3, 3))
+    fit: BlendFit | RotateFit
+    fit = BlendFit(base, *knots) if base.model is SweepModel.BLEND else RotateFit(base, *knots)
+    some = some_of(given)
+    kept = ~some.outside
+    x, u, v = some.points[kept], some.u[kept], some.v[kept]
+    before, rounds = np.inf, _ROUNDS[base.model]
+    surface, u, v, rms = _feet(fit.sweep, x, u, v)
+    for number in range(rounds):
+        if isinstance(fit, BlendFit):
+            fit.improve(x, u, v)
+        else:
+            fit.improve(x, u, v, surface.normal(u, v))
+        before = rms
+        surface, u, v, rms = _feet(fit.sweep, x, u, v)
+        if progress and not progress.update(
+            (number + 1) / rounds, _measured(fit.sweep, surface, given, knots)
+        ):
+            break
+        if abs(before - rms) <= _ENOUGH * rms:
+            break
+    return _measured(fit.sweep, surface, given, knots)
+
+
+def _feet(
+    sweep: SweptSurface, points: Array, u: Array, v: Array
+) -> tuple[BSplineSurface, Array, Array, float]:
+    """The sweep as a surface, the parameters of the points' feet, and the rms distance."""
+    rough = sweep.evaluate(u, v) - points
+    tolerance = max(_SHARE * float(np.sqrt(np.mean(rough**2))), 1e-6)
+    surface = sweep.to_bspline(tolerance)
+    u, v, distance = surface.closest(points, start=(u, v))
+    return surface, u, v, float(np.sqrt(np.mean(distance**2)))
+
+
+def _measured(
+    sweep: SweptSurface,
+    surface: BSplineSurface,
+    given: Parameterised,
+    knots: tuple[Array, Array],
+) -> SweptFit:
+    u, v, distance = surface.closest(given.points, start=(given.u, given.v))
+    deviation = signed_deviation(surface, given.points, u, v, distance)
+    return SweptFit(
+        surface,
+        deviation,
+        (u, v),
+        given.outside,
+        _supported(surface, knots, u[~given.outside], v[~given.outside]),
+        sweep.message,
+        sweep,
+    )
+
+
+def _supported(
+    surface: BSplineSurface, knots: tuple[Array, Array], u: Array, v: Array
+) -> NDArray[np.bool_]:
+    """The surface's patches that lie where spans of the rails' and profiles' knots hold points."""
+    spans = [np.unique(own) for own in knots]
+    rows, columns = (
+        np.clip(np.searchsorted(own, x, side="right") - 1, 0, len(own) - 2)
+        for own, x in zip(spans, (u, v), strict=True)
+    )
+    count = np.zeros([len(own) - 1 for own in spans])
+    np.add.at(count, (rows, columns), 1)
+    middle = [(own[1:] + own[:-1]) / 2 for own in surface.patches.breaks]
+    place = [
+        np.clip(np.searchsorted(own, at) - 1, 0, len(own) - 2)
+        for own, at in zip(spans, middle, strict=True)
+    ]
+    return np.asarray(count[np.ix_(*place)] > 0)
