@@ -134,7 +134,24 @@ class BSplineSurface:
 
     @cached_property
     def _projection(self) -> SurfaceProjection:
-        return SurfaceProjection(self.patches, self.closed)
+        return SurfaceProjection(self.patches, self.closed, self._creases())
+
+    def _creases(self) -> list[tuple[int, float, BSplineCurve]]:
+        """Axis, parameter and curve of every knot at which the surface has a sharp bend."""
+        found = []
+        for axis, (knots, degree) in enumerate(zip(self.knots, self.degree, strict=True)):
+            distinct, counts = np.unique(knots[degree + 1 : -degree - 1], return_counts=True)
+            along = np.linspace(*self.parameter_range[1 - axis], 50)
+            before = SAME * (knots[-1] - knots[0])
+            for at in distinct[counts >= degree]:
+                pair = [
+                    self.normal(x, along) if axis == 0 else self.normal(along, x)
+                    for x in (at - before, at)
+                ]
+                if np.abs(pair[1] - pair[0]).max() > 1e-6:
+                    curve = self.curve_at(u=at) if axis == 0 else self.curve_at(v=at)
+                    found.append((axis, float(at), curve))
+        return found
 
     def inside(self, u: ArrayLike, v: ArrayLike) -> tuple[Array, Array]:
         """Parameters brought into the range: wrapped where the surface is closed, else clipped."""

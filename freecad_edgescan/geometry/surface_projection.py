@@ -6,16 +6,19 @@
    section 6.1): each parameter by itself where the squared distance is not convex, along the rim
    where the way leads out of the surface, over the seam where the surface is closed. A step that
    does not come nearer is shortened.
+3. Points whose foot is near a sharp bend of the surface are also projected onto the bend itself.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from freecad_edgescan.geometry.bspline_curve import BSplineCurve
 from freecad_edgescan.geometry.polynomial_patches import PolynomialPatches
 from freecad_edgescan.geometry.rational import divided
 
@@ -28,6 +31,7 @@ _PER_PATCH = (4, 40)  # least and most samples of a patch in one direction
 _SWEEPS = 40
 _ENOUGH = 1e-6  # step in shares of a patch; the error after it is about its square
 _LONGEST = 0.5  # step in shares of a patch
+_CREASE = 0.1  # of a patch: feet no farther from a sharp bend are tried on it
 _CONVEX = 1e-3  # least bend of the squared distance, relative to that of a plane
 _ORDERS = ((0, 0), (0, 1), (1, 0), (0, 2), (1, 1), (2, 0))
 
@@ -39,10 +43,16 @@ class SurfaceProjection:
     ----------
     patches : of the surface, homogeneous when it is rational
     closed : whether the surface ends where it begins, in u and in v
+    creases : axis, parameter and curve of every sharp bend along a knot
     """
 
-    def __init__(self, patches: PolynomialPatches, closed: tuple[bool, bool]) -> None:
-        self._patches, self._closed = patches, closed
+    def __init__(
+        self,
+        patches: PolynomialPatches,
+        closed: tuple[bool, bool],
+        creases: Sequence[tuple[int, float, BSplineCurve]] = (),
+    ) -> None:
+        self._patches, self._closed, self._creases = patches, closed, creases
         self._first = np.array([breaks[0] for breaks in patches.breaks])
         self._last = np.array([breaks[-1] for breaks in patches.breaks])
 
@@ -91,7 +101,24 @@ class SurfaceProjection:
                 break
             trial = self._within(best[active] + step)
         found = divided(self._patches.evaluate(best[:, 0], best[:, 1], [(0, 0)]), [(0, 0)])[0]
-        return best[:, 0], best[:, 1], np.linalg.norm(points - found.T, axis=1)
+        distance = np.linalg.norm(points - found.T, axis=1)
+        for crease in self._creases:
+            self._onto(crease, points, best, distance)
+        return best[:, 0], best[:, 1], distance
+
+    def _onto(
+        self, crease: tuple[int, float, BSplineCurve], points: Array, best: Array, distance: Array
+    ) -> None:
+        """Feet near a crease are moved onto it where that is nearer."""
+        axis, at, curve = crease
+        near = _CREASE * float(np.diff(self._patches.breaks[axis]).max())
+        rows = np.flatnonzero(np.abs(best[:, axis] - at) < near)
+        if not len(rows):
+            return
+        along, off = curve.closest(points[rows], start=best[rows, 1 - axis])
+        nearer = off < distance[rows]
+        rows = rows[nearer]
+        best[rows, axis], best[rows, 1 - axis], distance[rows] = at, along[nearer], off[nearer]
 
     def _within(self, uv: Array) -> Array:
         """Parameters over the seam come back on its other side, those over a rim to the rim."""

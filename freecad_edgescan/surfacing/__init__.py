@@ -6,7 +6,7 @@ from .fit_result import SurfaceFit
 from .intersection import SurfaceIntersection, intersect_surfaces
 from .surface_fit import fit_surface
 from .sweep_kind import SweepKind, sweep_kinds
-from .swept_fit import SweptFit, fit_swept_surface
+from .swept_fit import SweptFit, compare_sweep_models, fit_swept_surface
 from .swept_surface import Pairing, SweepModel, SweptSurface
 
 __all__ = [
@@ -18,6 +18,7 @@ __all__ = [
     "SweepModel",
     "SweptFit",
     "SweptSurface",
+    "compare_sweep_models",
     "extend_surface",
     "fit_surface",
     "fit_swept_surface",

@@ -20,6 +20,7 @@ __all__ = ["OverlappingPatches", "overlapping_patches"]
 Array = NDArray[np.float64]
 
 _PAIRS = 400_000
+_AT_ONCE = 1_000_000  # pairs of boxes
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,8 +93,7 @@ def overlapping_patches(
     ValueError: so many pairs that the surfaces must coincide over an area.
     """
     patches = [_Patches.of(a), _Patches.of(b)]
-    count = [len(own.points) for own in patches]
-    one, other = np.divmod(np.arange(count[0] * count[1]), count[1])
+    one, other = _first_pairs(patches[0], patches[1], margin)
     while True:
         near = _near(patches[0], patches[1], one, other, margin)
         one, other = one[near], other[near]
@@ -118,6 +118,21 @@ def overlapping_patches(
         both = valid[0][:, :, None] & valid[1][:, None, :]
         one = np.broadcast_to(children[0][:, :, None], both.shape)[both]
         other = np.broadcast_to(children[1][:, None, :], both.shape)[both]
+
+
+def _first_pairs(
+    a: _Patches, b: _Patches, margin: float
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """All pairs of whole patches that are near, some rows of them at a time."""
+    found = []
+    (low_a, high_a), (low_b, high_b) = a.boxes(), b.boxes()
+    rows = max(1, _AT_ONCE // len(low_b))
+    for start in range(0, len(low_a), rows):
+        part = slice(start, start + rows)
+        near = (low_a[part, None] <= high_b + margin) & (low_b <= high_a[part, None] + margin)
+        one, other = np.nonzero(near.all(axis=2))
+        found.append((one + start, other))
+    return np.concatenate([one for one, _ in found]), np.concatenate([two for _, two in found])
 
 
 def _near(

@@ -7,7 +7,7 @@ over averaged knots are fitted, and the parameters corrected to the fitted sweep
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,7 +24,7 @@ from .swept_surface import SweepModel, SweptSurface
 if TYPE_CHECKING:
     from ..scanning import Progress
 
-__all__ = ["SweptFit", "fit_swept_surface"]
+__all__ = ["SweptFit", "compare_sweep_models", "fit_swept_surface"]
 
 Array = NDArray[np.float64]
 
@@ -61,7 +61,8 @@ def fit_swept_surface(
 
     Returns
     -------
-    SweptFit; deviations are those from the sweep.
+    SweptFit; deviations are those from its surface, which follows the sweep within a tenth of
+    their rms.
 
     Raises
     ------
@@ -104,6 +105,34 @@ def fit_swept_surface(
         if abs(before - rms) <= _ENOUGH * rms:
             break
     return _measured(fit.sweep, surface, given, knots)
+
+
+def compare_sweep_models(
+    points: ArrayLike,
+    base: SweptSurface,
+    control_points: tuple[int, int] = (14, 7),
+    progress: Progress | None = None,
+) -> dict[SweepModel, SweptFit]:
+    """Both models fitted to the same points, the better one first, and its message says so.
+
+    Parameters and errors are those of `fit_swept_surface`; the base has two profiles.
+    """
+    fits = [
+        fit_swept_surface(
+            points,
+            SweptSurface(base.rails, base.profiles, model, largest_gap=base.largest_gap),
+            control_points,
+            progress,
+        )
+        for model in SweepModel
+    ]
+    pairs = sorted(zip(SweepModel, fits, strict=True), key=lambda pair: pair[1].rms)
+    (better, first), (other, second) = pairs
+    said = (
+        f"The {better} model explains the points better: {first.average:.3g} mm on average, "
+        f"against {second.average:.3g} mm of the {other} model."
+    )
+    return {better: replace(first, message=f"{said} {first.message}".strip()), other: second}
 
 
 def _feet(

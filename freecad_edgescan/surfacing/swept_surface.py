@@ -10,7 +10,7 @@ between the ends, and one rail is enough.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property
 
@@ -78,7 +78,7 @@ class SweptSurface:
     model: SweepModel = SweepModel.BLEND
     pairing: Pairing | None = None
     largest_gap: float = 1.0
-    message: str = ""
+    message: str = field(default="", init=False)
 
     def __post_init__(self) -> None:
         if self.model not in list(SweepModel):

@@ -99,3 +99,18 @@ def test_points_that_are_none_are_refused():
 
 def test_no_points_have_no_feet():
     assert all(len(values) == 0 for values in torus().closest(np.zeros((0, 3))))
+
+
+def test_feet_on_a_sharp_bend_are_found_along_it():
+    """A roof whose ridge lies on a knot: above it the ridge is closest, wherever one starts."""
+    poles = np.zeros((3, 5, 3))
+    poles[..., 0] = np.linspace(0, 40, 3)[:, None]
+    poles[..., 1], poles[..., 2] = np.linspace(-10, 10, 5), [0, 5, 10, 5, 0]
+    poles[1, :, 2] += 4
+    knots = np.repeat([0.0, 1], 3), np.r_[[0.0] * 3, 0.5, 0.5, [1.0] * 3]
+    roof = BSplineSurface(poles, knots, (2, 2))
+    x = np.linspace(2, 38, 60)
+    points = np.stack([x, 0.3 * np.sin(7 * x), np.full(60, 16.0)], axis=1)
+    _, v, distance = roof.closest(points)
+    assert np.allclose(v, 0.5)
+    assert np.allclose(distance, roof.curve_at(v=0.5).closest(points)[1], atol=1e-12)

@@ -11,6 +11,7 @@ from freecad_edgescan.cloud.core_box import PIPE_2
 from freecad_edgescan.cloud.half_pipe import HalfPipe
 from freecad_edgescan.geometry import Circle, fit_curve
 from freecad_edgescan.geometry.exact_surfaces import circular_arc
+from freecad_edgescan.surfacing import compare_sweep_models
 
 NOISE = 0.05  # mm, level of each coordinate
 NORMAL = NOISE / np.sqrt(3) * np.sqrt(2 / np.pi)  # about its mean absolute normal component
@@ -78,6 +79,13 @@ def test_the_blended_sweep_misses_a_bent_pipe_as_published(pipe):
     fit = es.fit_swept_surface(pipe.cloud(), pipe.base("blend"), (14, 7))
     assert 5 * NORMAL < fit.average < 0.384
     assert fit.average < np.abs(pipe.base("blend").to_bspline().closest(pipe.cloud())[2]).mean()
+
+
+def test_the_model_that_explains_the_cloud_better_is_said(pipe):
+    fits = compare_sweep_models(pipe.cloud(3000), pipe.base("blend"))
+    assert list(fits) == ["rotate", "blend"]
+    assert fits["rotate"].rms < fits["blend"].rms
+    assert fits["rotate"].message.startswith("The rotate model explains the points better")
 
 
 def test_the_surface_of_a_fit_is_the_one_of_its_sweep(pipe):
