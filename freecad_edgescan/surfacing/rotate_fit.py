@@ -23,10 +23,10 @@ __all__ = ["RotateFit"]
 Array = NDArray[np.float64]
 
 _DEGREE = 3
-_HELD = 1e-6  # weight that holds what no distance depends on, relative to the points'
+_HELD = 1e-5  # weight that holds what no distance depends on, relative to the points'
 _IN_PLANE = [0, 2]  # coordinates in which a profile changes; along the rails it stays
 _TIES = 100  # places at which either rail is tied
-_ALONG, _ACROSS = 1e-3, 0.1  # weights of all ties of a rail, relative to all points
+_ALONG, _ACROSS = 2e-5, 0.03  # weights of all ties of a rail, relative to all points
 _SMALL = 1e-6  # of the rails' distance: step of the derivatives of the frame
 
 
@@ -81,10 +81,16 @@ class RotateFit:
         matrix[:size, :size] += tied.T @ tied
         right[:size] += tied.T @ apart
         matrix[np.diag_indices_from(matrix)] += _HELD * np.trace(matrix) / len(matrix)
-        step = scale * np.linalg.solve(matrix, right)
-        self._rails = self._rails + step[:size].reshape(self._rails.shape)
-        inner = self._profiles[:, 1:-1, _IN_PLANE]
-        self._profiles[:, 1:-1, _IN_PLANE] = inner + step[size:].reshape(inner.shape)
+        self._last = (self._rails, self._profiles, scale * np.linalg.solve(matrix, right))
+        self.shorten(1.0)
+
+    def shorten(self, share: float) -> None:
+        """Go only a share of the last step."""
+        rails, profiles, step = self._last
+        moves, changes = np.split(share * step, [rails.size])
+        self._rails = rails + moves.reshape(rails.shape)
+        self._profiles = profiles.copy()
+        self._profiles[:, 1:-1, _IN_PLANE] += changes.reshape(len(profiles), -1, len(_IN_PLANE))
         self.sweep = self._as_sweep()
 
     def _tied(self, weight: float) -> tuple[Array, Array]:

@@ -2,7 +2,8 @@
 """Swept surfaces fitted to a segment of a cloud: rails and profiles move, the intent stays.
 
 Schreve 6.6.3, for both models: the base sweep gives the points their parameters; rails and profiles
-over averaged knots are fitted, and the parameters corrected to the fitted sweep.
+are fitted, with knots where those of the base bend, and the parameters corrected to the fitted
+sweep.
 """
 
 from __future__ import annotations
@@ -15,9 +16,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..geometry import BSplineSurface
 from .blend_fit import BlendFit
+from .even_error_knots import even_error_knots
 from .fit_result import SurfaceFit, signed_deviation
 from .parameterised import Parameterised, parameterised
-from .pole_count import averaged, some_of
+from .pole_count import some_of
 from .rotate_fit import RotateFit
 from .swept_surface import SweepModel, SweptSurface
 
@@ -30,6 +32,8 @@ Array = NDArray[np.float64]
 
 _ROUNDS = {SweepModel.BLEND: 3, SweepModel.ROTATE: 8}
 _ENOUGH = 1e-3  # relative change of the rms at which the rounds end
+_SHORTER = (0.3, 0.1, 0.0)  # shares of a step that are tried when the whole leads astray
+_SAMPLES = 600  # of the base's curves, from which the knots are chosen
 _SHARE = 0.1  # of the points' rms: the surface's own tolerance against the sweep
 
 
@@ -83,28 +87,35 @@ def fit_swept_surface(
             f"need at least {3 * poles} points, and only {on} of the {len(given.u)} lie over the "
             "base surface; give more points, or fewer control points."
         )
-    knots = averaged(given, surface, control_points, (3, 3))
+    knots = _knots(base, control_points)
     fit: BlendFit | RotateFit
     fit = BlendFit(base, *knots) if base.model is SweepModel.BLEND else RotateFit(base, *knots)
     some = some_of(given)
     kept = ~some.outside
-    x, u, v = some.points[kept], some.u[kept], some.v[kept]
-    before, rounds = np.inf, _ROUNDS[base.model]
-    surface, u, v, rms = _feet(fit.sweep, x, u, v)
+    x = some.points[kept]
+    feet = _feet(fit.sweep, x, some.u[kept], some.v[kept])
+    rounds = _ROUNDS[base.model]
     for number in range(rounds):
-        if isinstance(fit, BlendFit):
-            fit.improve(x, u, v)
-        else:
-            fit.improve(x, u, v, surface.normal(u, v))
-        before = rms
-        surface, u, v, rms = _feet(fit.sweep, x, u, v)
+        before = feet.rms
+        feet = _improved(fit, x, feet)
         if progress and not progress.update(
-            (number + 1) / rounds, _measured(fit.sweep, surface, given, knots)
+            (number + 1) / rounds, _measured(fit.sweep, feet.surface, given, knots)
         ):
             break
-        if abs(before - rms) <= _ENOUGH * rms:
+        if before - feet.rms <= _ENOUGH * before and number > 0:
             break
-    return _measured(fit.sweep, surface, given, knots)
+    return _measured(fit.sweep, feet.surface, given, knots)
+
+
+def _knots(base: SweptSurface, poles: tuple[int, int]) -> tuple[Array, Array]:
+    """Knots for the rails and for the profiles, denser where they bend."""
+    share = np.linspace(0.0, 1.0, _SAMPLES)
+    rails = np.concatenate([base.evaluate(share, v) for v in (0.0, 1.0)], axis=1)
+    local = np.concatenate(list(base.local_profiles(share)), axis=1)
+    return (
+        even_error_knots(share, rails, poles[0], 3),
+        even_error_knots(share, local, poles[1], 3),
+    )
 
 
 def compare_sweep_models(
@@ -135,15 +146,35 @@ def compare_sweep_models(
     return {better: replace(first, message=f"{said} {first.message}".strip()), other: second}
 
 
-def _feet(
-    sweep: SweptSurface, points: Array, u: Array, v: Array
-) -> tuple[BSplineSurface, Array, Array, float]:
-    """The sweep as a surface, the parameters of the points' feet, and the rms distance."""
+@dataclass(frozen=True, eq=False)
+class _Feet:
+    """A sweep's surface, the parameters of the points' feet on it, and the rms distance."""
+
+    surface: BSplineSurface
+    u: Array
+    v: Array
+    rms: float
+
+
+def _feet(sweep: SweptSurface, points: Array, u: Array, v: Array) -> _Feet:
     rough = sweep.evaluate(u, v) - points
-    tolerance = max(_SHARE * float(np.sqrt(np.mean(rough**2))), 1e-6)
-    surface = sweep.to_bspline(tolerance)
+    surface = sweep.to_bspline(max(_SHARE * float(np.sqrt(np.mean(rough**2))), 1e-6))
     u, v, distance = surface.closest(points, start=(u, v))
-    return surface, u, v, float(np.sqrt(np.mean(distance**2)))
+    return _Feet(surface, u, v, float(np.sqrt(np.mean(distance**2))))
+
+
+def _improved(fit: BlendFit | RotateFit, points: Array, feet: _Feet) -> _Feet:
+    """The feet after one round; a step of the rotating fit that leads astray is shortened."""
+    if isinstance(fit, BlendFit):
+        fit.improve(points, feet.u, feet.v)
+        return _feet(fit.sweep, points, feet.u, feet.v)
+    fit.improve(points, feet.u, feet.v, feet.surface.normal(feet.u, feet.v))
+    for share in _SHORTER:
+        after = _feet(fit.sweep, points, feet.u, feet.v)
+        if after.rms <= feet.rms:
+            return after
+        fit.shorten(share)
+    return _feet(fit.sweep, points, feet.u, feet.v)
 
 
 def _measured(
