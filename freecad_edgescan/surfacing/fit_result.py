@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..geometry import BSplineSurface
 
-__all__ = ["SurfaceFit"]
+__all__ = ["SurfaceFit", "said_of_outside", "signed_deviation"]
 
 Array = NDArray[np.float64]
 
@@ -24,7 +24,7 @@ class SurfaceFit:
     surface : BSplineSurface
     deviation : (n,) mm, distance of each point, positive on the side of the surface's normal
     parameters : u (n,) and v (n,) of the closest points
-    outside : (n,) bool, points beyond the base surface's rim, which the fit left out
+    outside : (n,) bool, points beyond the surface's rim, which the fit left out
     supported : (ku, kv) bool, patches between the surface's knots that hold points enough; in the
         others the surface follows the base surface and its neighbours
     message : what a person should know
@@ -70,3 +70,11 @@ def signed_deviation(
     away = points - surface.evaluate(u, v)
     side = np.einsum("mi,mi->m", away, surface.normal(u, v))
     return np.where(side < 0.0, -distance, distance)
+
+
+def said_of_outside(outside: NDArray[np.bool_]) -> str:
+    """How many points were left out, for a person."""
+    count = int(outside.sum())
+    if not count:
+        return ""
+    return f"{count} of {len(outside)} points lie beyond the rim of the surface and were left out."

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..geometry import BSplineSurface
 
-__all__ = ["Parameterised", "parameterised"]
+__all__ = ["Parameterised", "beyond_the_rim", "parameterised"]
 
 Array = NDArray[np.float64]
 
@@ -41,10 +41,11 @@ def parameterised(points: ArrayLike, base: BSplineSurface) -> Parameterised:
     if x.ndim != 2 or x.shape[1] != 3 or len(x) == 0:
         raise ValueError(f"Points to fit are an (n, 3) array with n > 0, not one of {x.shape}.")
     u, v, _ = base.closest(x)
-    return Parameterised(x, u, v, _beyond_the_rim(x, base, u, v))
+    return Parameterised(x, u, v, beyond_the_rim(x, base, u, v))
 
 
-def _beyond_the_rim(points: Array, base: BSplineSurface, u: Array, v: Array) -> NDArray[np.bool_]:
+def beyond_the_rim(points: Array, base: BSplineSurface, u: Array, v: Array) -> NDArray[np.bool_]:
+    """Which points (n, 3) with their feet at u (n,), v (n,) on a rim lie beyond it."""
     beyond = np.zeros(len(points), dtype=bool)
     near = _ON_THE_RIM * float(np.ptp(base.poles.reshape(-1, 3), axis=0).max())
     for axis, x in enumerate((u, v)):

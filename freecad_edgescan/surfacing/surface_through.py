@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..geometry import BSplineSurface
 from ..geometry.surface_interpolation import interpolated_surface
 from .displacement_energy import displacement_energy
-from .fit_result import SurfaceFit, signed_deviation
+from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised
 from .tensor_system import TensorSystem
 
@@ -96,20 +96,14 @@ def _supported(system: TensorSystem, knots: tuple[Array, Array]) -> NDArray[np.b
 
 
 def _message(given: Parameterised, supported: NDArray[np.bool_]) -> str:
-    said = []
-    outside = int(given.outside.sum())
-    if outside:
-        said.append(
-            f"{outside} of {len(given.outside)} points lie beyond the rim of the base surface and "
-            "were left out."
-        )
+    said = [said_of_outside(given.outside)]
     missing = int((~supported).sum())
     if missing:
         said.append(
             f"The cloud does not support {missing} of the surface's {supported.size} patches; "
             "there it follows the base surface."
         )
-    return " ".join(said)
+    return " ".join(said).strip()
 
 
 def _mean_size(surface: BSplineSurface) -> tuple[float, float]:

@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike, NDArray
 from ..geometry import BSplineSurface
 from .blend_fit import BlendFit
 from .even_error_knots import even_error_knots
-from .fit_result import SurfaceFit, signed_deviation
-from .parameterised import Parameterised, parameterised
+from .fit_result import SurfaceFit, said_of_outside, signed_deviation
+from .parameterised import Parameterised, beyond_the_rim, parameterised
 from .pole_count import some_of
 from .rotate_fit import RotateFit
 from .swept_surface import SweepModel, SweptSurface
@@ -185,13 +185,16 @@ def _measured(
 ) -> SweptFit:
     u, v, distance = surface.closest(given.points, start=(given.u, given.v))
     deviation = signed_deviation(surface, given.points, u, v, distance)
+    # rails move, and with them the rim
+    outside = given.outside | beyond_the_rim(given.points, surface, u, v)
+    message = f"{said_of_outside(outside)} {sweep.message}".strip()
     return SweptFit(
         surface,
         deviation,
         (u, v),
-        given.outside,
-        _supported(surface, knots, u[~given.outside], v[~given.outside]),
-        sweep.message,
+        outside,
+        _supported(surface, knots, u[~outside], v[~outside]),
+        message,
         sweep,
     )
 
