@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from .simulated_shape import simulate_cloud as simulate_cloud
     from .sweeps import make_loft as make_loft
     from .sweeps import make_sweep as make_sweep
+    from .swept_surface import make_swept_surface as make_swept_surface
 
 _HOME_OF = {
     "edge_shape": "native_edge",
@@ -34,6 +35,7 @@ _HOME_OF = {
     "make_loft": "sweeps",
     "make_scanned_edge": "scanned_edge",
     "make_sweep": "sweeps",
+    "make_swept_surface": "swept_surface",
     "point_cloud": "cloud_cache",
     "points_of": "bridge",
     "simulate_cloud": "simulated_shape",
