@@ -147,7 +147,7 @@ def test_what_cannot_be_swept_says_why_and_keeps_the_last_shape(
     elif spoil == "few points":
         swept.Cloud = document.make_cloud(doc, on_half_pipe(30, 17.0))
     elif spoil == "far cloud":
-        swept.Cloud = document.make_cloud(doc, on_half_pipe(300, 17.0) + (0, 0, 100.0))
+        swept.Cloud = document.make_cloud(doc, on_half_pipe(300, 117.0))
     doc.recompute()
     assert "Invalid" in swept.State
     assert words in swept.Message
