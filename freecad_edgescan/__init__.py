@@ -15,10 +15,13 @@ if TYPE_CHECKING:
     from freecad_edgescan import document as document
     from freecad_edgescan import experiments as experiments
     from freecad_edgescan.cloud import CoreBox as CoreBox
+    from freecad_edgescan.cloud import PartOfCloud as PartOfCloud
     from freecad_edgescan.cloud import PointCloud as PointCloud
     from freecad_edgescan.cloud import TorusObject as TorusObject
     from freecad_edgescan.cloud import TrueEdge as TrueEdge
+    from freecad_edgescan.cloud import compensate_cloud as compensate_cloud
     from freecad_edgescan.cloud import read_cloud as read_cloud
+    from freecad_edgescan.cloud import thin_cloud as thin_cloud
     from freecad_edgescan.cloud import write_cloud as write_cloud
     from freecad_edgescan.geometry import BSplineCurve as BSplineCurve
     from freecad_edgescan.geometry import BSplineSurface as BSplineSurface
@@ -53,6 +56,9 @@ _HOME_OF = {
     "PointCloud": "cloud",
     "read_cloud": "cloud",
     "write_cloud": "cloud",
+    "compensate_cloud": "cloud",
+    "thin_cloud": "cloud",
+    "PartOfCloud": "cloud",
     # simulated clouds with known truth
     "CoreBox": "cloud",
     "TorusObject": "cloud",
