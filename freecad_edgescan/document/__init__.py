@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .arc_profile import make_arc_profile as make_arc_profile
     from .bridge import points_of as points_of
+    from .casestudy import make_casestudy as make_casestudy
     from .cloud_cache import point_cloud as point_cloud
     from .cloud_object import make_cloud as make_cloud
     from .cloud_segment import make_cloud_segment as make_cloud_segment
@@ -34,6 +35,7 @@ _HOME_OF = {
     "edge_shape": "native_edge",
     "export_step": "export",
     "make_arc_profile": "arc_profile",
+    "make_casestudy": "casestudy",
     "make_cloud": "cloud_object",
     "make_demo": "demo",
     "make_cloud_segment": "cloud_segment",

@@ -16,16 +16,16 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
-from ..cloud import CoreBox, PointCloud
+from ..cloud import CoreBox, PointCloud, compensate_cloud, thin_cloud
 from ..geometry import BSplineCurve
 from ..scanning import Gate, Progress, ScannedEdge, Start, scan_edge
 from ..surfacing import SweepModel, SweptFit, SweptSurface, fit_swept_surface
 from .casestudy_published import GRIDS, SEGMENT_DISTANCE, THINNED_PITCH
-from .compensated_segment import compensated_segment, thinned_to_grid
+from .compensated_segment import compensated_segment
 from .end_profile import end_profile
 from .true_wall import deviation_from_wall, surface_from_wall
 
-__all__ = ["CaseStudy", "CaseStudyFit", "CaseStudyPipe", "run_casestudy"]
+__all__ = ["CaseStudy", "CaseStudyFit", "CaseStudyPipe", "casestudy_places", "run_casestudy"]
 
 Array = NDArray[np.float64]
 
@@ -122,7 +122,7 @@ def run_casestudy(
         Told the share that is done and the step; when it answers False, what there is so far is
         the result.
     grids : numbers of control points along the rails and along the profiles
-    thinned_pitch : mm, of the grid of the thinned cloud
+    thinned_pitch : mm, of the thinned cloud
 
     Returns
     -------
@@ -139,12 +139,15 @@ def run_casestudy(
     return CaseStudy(tuple(edges), tuple(fitted), steps.seconds, steps.cancelled)
 
 
+def casestudy_places(pitch: float, box: CoreBox) -> list[tuple[Sequence[Array], Sequence[Array]]]:
+    """For each rim the arguments of `Start` and `Gate` of its scan, given the cloud's pitch, mm."""
+    beside = _BESIDE * pitch
+    return list(zip(box.starts(beside), box.gates(beside), strict=True))
+
+
 def _scan_edges(cloud: PointCloud, box: CoreBox, steps: _Steps) -> list[ScannedEdge]:
-    places = _BESIDE * cloud.pitch
-    edges = []
-    for number, (start, gate) in enumerate(
-        zip(box.starts(places), box.gates(places), strict=True), 1
-    ):
+    edges: list[ScannedEdge] = []
+    for number, (start, gate) in enumerate(casestudy_places(cloud.pitch, box), 1):
         with steps.step("scan edges", f"rim {number}"):
             edges.append(scan_edge(cloud, Start(*start), Gate(*gate), progress=steps))
         if steps.cancelled:
@@ -162,10 +165,11 @@ def _pipes(
         pairs = list(zip(curves[::2], curves[1::2], strict=True))
         profiles = [_end_profiles(cloud, rails) for rails in pairs]
     with steps.step("compensate and segment"):
+        compensated = compensate_cloud(cloud)
         for number, (rails, own) in enumerate(zip(pairs, profiles, strict=True), 1):
             base = SweptSurface(rails, own, SweepModel.ROTATE).to_bspline(1e-2)
-            points = compensated_segment(cloud, base, SEGMENT_DISTANCE)
-            thinned = thinned_to_grid(points, pitch)
+            points = compensated_segment(cloud, base, SEGMENT_DISTANCE, compensated)
+            thinned = thin_cloud(PointCloud(points), pitch).points
             noise = deviation_from_wall(box.pipes[number - 1], points)
             pipes.append(CaseStudyPipe(number, rails, own, points, thinned, noise))
     return pipes

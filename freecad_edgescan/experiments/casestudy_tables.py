@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from ..surfacing import SweepModel
@@ -12,9 +14,15 @@ from .casestudy_published import PUBLISHED_ERRORS, PUBLISHED_MINUTES
 __all__ = ["casestudy_tables"]
 
 
-def casestudy_tables(study: CaseStudy) -> str:
-    """Table 1 and the times of appendix F as text, ours beside the published."""
-    return "\n".join([*_errors(study), "", *_times(study)])
+def casestudy_tables(study: CaseStudy, seconds: Mapping[str, float] | None = None) -> str:
+    """Table 1 and the times of appendix F as text, ours beside the published.
+
+    Parameters
+    ----------
+    study : CaseStudy
+    seconds : of each step; None: those of the study alone
+    """
+    return "\n".join([*_errors(study), "", *_times(seconds or study.seconds)])
 
 
 def _errors(study: CaseStudy) -> list[str]:
@@ -46,15 +54,12 @@ def _errors(study: CaseStudy) -> list[str]:
     return lines
 
 
-def _times(study: CaseStudy) -> list[str]:
+def _times(seconds: Mapping[str, float]) -> list[str]:
     lines = ["step                         seconds   published, min"]
-    total = 0.0
-    for name in dict.fromkeys([*PUBLISHED_MINUTES, *study.seconds]):
-        if name not in study.seconds:
-            continue
-        seconds, minutes = study.seconds[name], PUBLISHED_MINUTES.get(name)
-        total += seconds
-        published = "" if minutes is None else f"{minutes:14.0f}"
-        lines.append(f"{name:<26} {seconds:9.2f}   {published}".rstrip())
-    lines.append(f"{'all':<26} {total:9.2f}   {sum(PUBLISHED_MINUTES.values()):14.0f}")
-    return lines
+    for name in dict.fromkeys([*PUBLISHED_MINUTES, *seconds]):
+        if name in seconds:
+            minutes = PUBLISHED_MINUTES.get(name)
+            published = "" if minutes is None else f"{minutes:14.0f}"
+            lines.append(f"{name:<26} {seconds[name]:9.2f}   {published}".rstrip())
+    minutes = sum(PUBLISHED_MINUTES.values())
+    return [*lines, f"{'all':<26} {sum(seconds.values()):9.2f}   {minutes:14.0f}"]

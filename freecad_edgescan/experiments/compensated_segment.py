@@ -6,51 +6,60 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from ..cloud import PointCloud
+from ..cloud import PartOfCloud, PointCloud, compensate_cloud
 from ..geometry import BSplineSurface
 
-__all__ = ["compensated_segment", "thinned_to_grid"]
+__all__ = ["compensated_segment"]
 
 Array = NDArray[np.float64]
 
+_FACING = 0.5  # least cosine of the angle between the normals of a point and of its foot
+_ROOM = 5.0  # pitches round the segment that compensation looks at
 
-def compensated_segment(cloud: PointCloud, base: BSplineSurface, distance: float) -> Array:
-    """Points (n, 3) mm of the surface near a base surface.
 
-    The centres are moved by the probe radius along the base surface's normals; an angle α between
-    these and the surface's own leaves an error of R_p (1 - cos α). Points whose foot is on the
-    rim are left out: there the probe rolls over it.
+def compensated_segment(
+    cloud: PointCloud,
+    base: BSplineSurface,
+    distance: float,
+    compensated: PartOfCloud | None = None,
+) -> Array:
+    """Points (n, 3) mm of the part's surface near a base surface.
+
+    Points whose foot is on the base surface's rim are left out, and, of a cloud of probe centres,
+    those that face elsewhere: on the surface beyond the rim, or on the far side of a thin wall.
 
     Parameters
     ----------
     cloud : PointCloud
     base : BSplineSurface
-    distance : mm, of the surface from the base surface
+    distance : mm, from the base surface
+    compensated : what `compensate_cloud` makes of the cloud, when it is there already
     """
-    radius = cloud.probe_radius
     corners = base.poles.reshape(-1, 3)
-    reach = distance + radius
-    near = np.all(
-        (cloud.points > corners.min(axis=0) - reach) & (cloud.points < corners.max(axis=0) + reach),
-        axis=1,
-    )
-    points = cloud.points[near]
+    reach = distance + cloud.probe_radius
+    if compensated is None:
+        room = 0.0 if cloud.probe_radius == 0.0 else 2 * cloud.probe_radius + _ROOM * cloud.pitch
+        rows = _within(cloud.points, corners, reach + room)
+        if not rows.any():
+            return np.zeros((0, 3))
+        cloud = PointCloud(cloud.points[rows], cloud.probe_radius, cloud.approach)
+        compensated = compensate_cloud(cloud)
+    rows = _within(compensated.points, corners, distance)
+    points = compensated.points[rows]
+    if not len(points):
+        return points
     u, v, off = base.closest(points)
-    inner = off < reach
+    inner = off < distance
     for x, (first, last) in zip((u, v), base.parameter_range, strict=True):
         inner &= (x > first) & (x < last)
-    points, u, v = points[inner], u[inner], v[inner]
-    normal = base.normal(u, v)
-    height = np.einsum("mi,mi->m", points - base.evaluate(u, v), normal)
-    side = np.sign(np.median(height)) if radius > 0.0 else 1.0
-    kept = np.abs(side * height - radius) < distance
-    return np.asarray(points[kept] - side * radius * normal[kept])
+    if cloud.probe_radius > 0.0 and inner.any():
+        outwards = cloud.points[compensated.kept][rows] - points
+        facing = np.einsum("mi,mi->m", outwards, base.normal(u, v))
+        inner &= facing * np.sign(np.median(facing[inner])) > _FACING * cloud.probe_radius
+    return points[inner]
 
 
-def thinned_to_grid(points: Array, pitch: float) -> Array:
-    """One point for each square of a grid in x and y: that nearest to its middle."""
-    cell = np.floor(points[:, :2] / pitch)
-    off = np.linalg.norm(points[:, :2] - (cell + 0.5) * pitch, axis=1)
-    order = np.argsort(off, kind="stable")
-    _, first = np.unique(cell[order], axis=0, return_index=True)
-    return points[np.sort(order[first])]
+def _within(points: Array, corners: Array, room: float) -> NDArray[np.bool_]:
+    """Points in the box round some corners, or nearer to it than some room."""
+    low, high = corners.min(axis=0) - room, corners.max(axis=0) + room
+    return np.asarray(((points > low) & (points < high)).all(axis=1))

@@ -10,7 +10,6 @@ from freecad_edgescan.cloud import CoreBox
 from freecad_edgescan.experiments.casestudy import run_casestudy
 from freecad_edgescan.experiments.casestudy_published import GRIDS, PUBLISHED_ERRORS
 from freecad_edgescan.experiments.casestudy_tables import casestudy_tables
-from freecad_edgescan.experiments.compensated_segment import thinned_to_grid
 
 
 class Listener:
@@ -45,7 +44,7 @@ def test_the_turning_sweep_of_a_small_pipe_is_near_its_true_wall(small):
 
 def test_the_compensated_points_lie_on_the_wall_within_their_noise(small):
     (pipe,) = small[0].pipes
-    assert pipe.noise.mean() < 0.03 and pipe.noise.max() < 0.12
+    assert pipe.noise.mean() < 0.03 and pipe.noise.max() < 0.1
     assert len(pipe.points) > 4000
 
 
@@ -71,13 +70,6 @@ def test_the_tables_hold_ours_and_the_published(small):
     text = casestudy_tables(small[0])
     for word in ("published", "0.224", "1.183", "195", "fit swept surfaces", "5 mm grid"):
         assert word in text
-
-
-def test_the_thinned_cloud_has_one_point_for_each_square():
-    points = np.random.default_rng(0).uniform(0, 50, (20000, 3))
-    some = thinned_to_grid(points, 5.0)
-    assert len(some) == 100
-    assert np.linalg.norm(np.mod(some[:, :2], 5.0) - 2.5, axis=1).max() < 0.7
 
 
 @pytest.mark.slow
