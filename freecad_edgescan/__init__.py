@@ -40,14 +40,17 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import recommend_parameters as recommend_parameters
     from freecad_edgescan.scanning import scan_boundary as scan_boundary
     from freecad_edgescan.scanning import scan_edge as scan_edge
+    from freecad_edgescan.surfacing import Deviation as Deviation
     from freecad_edgescan.surfacing import SurfaceFit as SurfaceFit
     from freecad_edgescan.surfacing import SurfaceIntersection as SurfaceIntersection
     from freecad_edgescan.surfacing import SweptFit as SweptFit
     from freecad_edgescan.surfacing import SweptSurface as SweptSurface
+    from freecad_edgescan.surfacing import deviation as deviation
     from freecad_edgescan.surfacing import extend_surface as extend_surface
     from freecad_edgescan.surfacing import fit_surface as fit_surface
     from freecad_edgescan.surfacing import fit_swept_surface as fit_swept_surface
     from freecad_edgescan.surfacing import intersect_surfaces as intersect_surfaces
+    from freecad_edgescan.surfacing import segment_cloud as segment_cloud
 
 __version__ = "0.1.0"
 
@@ -88,6 +91,9 @@ _HOME_OF = {
     "SweptSurface": "surfacing",
     "fit_swept_surface": "surfacing",
     "SweptFit": "surfacing",
+    "segment_cloud": "surfacing",
+    "deviation": "surfacing",
+    "Deviation": "surfacing",
     # geometry
     "BSplineCurve": "geometry",
     "BSplineSurface": "geometry",

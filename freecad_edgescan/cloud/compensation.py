@@ -17,20 +17,15 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from .air_side import air_signs
-from .local_quadrics import FEWEST, LocalQuadrics, local_quadrics, nearest_quadrics
+from .local_normals import cloud_quadrics, normals_held, scatter_of
+from .local_quadrics import LocalQuadrics
 from .part_of_cloud import PartOfCloud
-from .point_cloud import PointCloud, require_surface
+from .point_cloud import FEWEST_POINTS, PointCloud, require_surface
 
 __all__ = ["compensate_cloud"]
 
 Array = NDArray[np.float64]
 
-_NEIGHBOURS = 36  # also where lines of points lie ten times as far apart as the points on them
-_MOST_NEIGHBOURS = 250
-_CANDIDATES = 8  # quadrics a point may take
-_FLAT = 0.012  # of the pitch: what a quadric may leave over where there is no noise
-_MISFIT = 1.4  # of the noise: likewise, where there is
-_SCATTER = 4.5  # of the noise: how far a point may be from its quadric
 _INSIDE = 5.0  # of the noise: how far a surface point may seem inside the ball
 _INSIDE_SHARE = 0.04  # likewise, of the probe's radius
 _SHARP = 0.7  # of the ball's curvature: where the cloud bends more, the ball rolled over a rim
@@ -59,17 +54,15 @@ def compensate_cloud(cloud: PointCloud) -> PartOfCloud:
     everything = np.ones(len(cloud), dtype=bool)
     if radius == 0.0:
         return PartOfCloud(cloud.points, everything, 0.0, cloud.approach)
-    if len(cloud) < 2 * FEWEST:
+    if len(cloud) < FEWEST_POINTS:
         require_surface(cloud)
     pitch, noise = cloud.pitch, cloud.noise
     if not np.isfinite(pitch):
         require_surface(cloud)
-    reach, neighbours = _neighbourhood(pitch, noise, radius)
-    quadrics = local_quadrics(cloud.tree, reach, neighbours)
-    limit = max(_MISFIT * noise, _FLAT * pitch)
-    good = quadrics.rms <= limit
+    quadrics = cloud_quadrics(cloud, _reach(pitch, noise, radius))
+    good = quadrics.smooth(pitch, noise)
     signs = air_signs(quadrics, good, radius, cloud.approach)
-    normals = _normals(cloud.points, quadrics, good, signs, max(noise, _FLAT * pitch), radius)
+    normals = _normals(cloud, quadrics, good, signs)
     kept = np.isfinite(normals[:, 0])
     surface = cloud.points[kept] - radius * normals[kept]
     clear = _outside_the_ball(
@@ -92,50 +85,30 @@ def compensate_cloud(cloud: PointCloud) -> PartOfCloud:
     )
 
 
-def _neighbourhood(pitch: float, noise: float, radius: float) -> tuple[float, int]:
-    """Reach, mm, and number of points of a neighbourhood.
+def _reach(pitch: float, noise: float, radius: float) -> float:
+    """Reach of a neighbourhood, mm.
 
     Large enough that an error of the normal moves no point by a thirtieth of the noise, and that
     the bend of the ball itself is seen to a tenth.
     """
-    least = np.sqrt(_NEIGHBOURS / np.pi) * pitch
     for_normal = np.sqrt(6.5 * pitch * np.sqrt(noise * radius))
     for_bend = np.cbrt(27.0 * noise * pitch * radius)
-    reach = max(least, for_normal, for_bend)
-    return reach, min(int(np.pi * (reach / pitch) ** 2) + 1, _MOST_NEIGHBOURS)
+    return float(max(for_normal, for_bend))
 
 
 def _normals(
-    points: Array,
-    quadrics: LocalQuadrics,
-    good: NDArray[np.bool_],
-    signs: NDArray[np.int8],
-    scatter: float,
-    radius: float,
+    cloud: PointCloud, quadrics: LocalQuadrics, good: NDArray[np.bool_], signs: NDArray[np.int8]
 ) -> Array:
     """Unit normals (n, 3) into the air, nan where no quadric holds the point."""
     usable = good & (signs != 0)
     # seen from the air, a rim bends away
     low, high = quadrics.bends()
     away = np.where(signs > 0, -low, high)
-    usable &= away * radius < _SHARP
-    result = np.full(points.shape, np.nan)
-    for part, rows in nearest_quadrics(quadrics, points, _CANDIDATES):
-        x = points[part]
-        found = np.full(x.shape, np.nan)
-        open_ = np.arange(len(x))
-        for candidate in rows.T:
-            if not len(open_):
-                break
-            row = candidate[open_]
-            height, normal = quadrics.at(row, x[open_])
-            off = np.linalg.norm(x[open_] - quadrics.origins[row], axis=1)
-            held = usable[row] & (np.abs(height) <= _SCATTER * scatter)
-            held &= off <= quadrics.reach[row]
-            found[open_[held]] = signs[row[held], None] * normal[held]
-            open_ = open_[~held]
-        result[part] = found
-    return result
+    usable &= away * cloud.probe_radius < _SHARP
+    normals, holders = normals_held(
+        quadrics, usable, cloud.points, scatter_of(cloud.pitch, cloud.noise)
+    )
+    return signs[holders, None] * normals
 
 
 def _outside_the_ball(surface: Array, centres: cKDTree, radius: float) -> NDArray[np.bool_]:

@@ -7,7 +7,6 @@ Each is the graph h(a, b) over the neighbourhood's own plane.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,14 +15,15 @@ from scipy.spatial import cKDTree
 
 from .thinning import spaced_rows
 
-__all__ = ["LocalQuadrics", "local_quadrics", "nearest_quadrics"]
+__all__ = ["FLAT", "LocalQuadrics", "local_quadrics"]
 
 Array = NDArray[np.float64]
 
-FEWEST = 10  # points of a neighbourhood
 SEED_DISTANCE = 0.45  # of the reach, between the middles of neighbourhoods
 SEEN = 1e-8  # least of a quadric's terms, relative to the largest, that the points determine
 AT_ONCE = 1_000_000  # points of neighbourhoods worked on together
+FLAT = 0.012  # of the pitch: what a quadric may leave over where there is no noise
+MISFIT = 1.4  # of the noise: likewise, where there is
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,6 +69,10 @@ class LocalQuadrics:
         normal /= np.linalg.norm(normal, axis=1)[:, None]
         return np.asarray(np.einsum("mij,mi->mj", self.axes, normal))
 
+    def smooth(self, pitch: float, noise: float) -> NDArray[np.bool_]:
+        """Which quadrics (k,) the points follow as closely as a cloud's pitch and noise allow."""
+        return np.asarray(self.rms <= max(MISFIT * noise, FLAT * pitch))
+
     def bends(self) -> tuple[Array, Array]:
         """Principal curvatures (k,), lowest and highest, positive where the graph bends upwards."""
         c = self.coefficients
@@ -76,7 +80,9 @@ class LocalQuadrics:
         return mean - half, mean + half
 
 
-def local_quadrics(tree: cKDTree, reach: float, neighbours: int) -> LocalQuadrics:
+def local_quadrics(
+    tree: cKDTree, reach: float, neighbours: int, within: NDArray[np.bool_] | None = None
+) -> LocalQuadrics:
     """Quadrics through the points round seeds that are spread over a cloud.
 
     Parameters
@@ -84,9 +90,11 @@ def local_quadrics(tree: cKDTree, reach: float, neighbours: int) -> LocalQuadric
     tree : of the cloud's points
     reach : mm, of a neighbourhood where the cloud is dense
     neighbours : how many points a neighbourhood holds at least; it is wider where they are sparse
+    within : (n,) bool, the points among which the seeds are; all of them when not given
     """
     points = np.asarray(tree.data)
-    seeds = points[spaced_rows(points, SEED_DISTANCE * reach)]
+    places = points if within is None else points[within]
+    seeds = places[spaced_rows(places, SEED_DISTANCE * reach)]
     count = min(neighbours, len(points))
     pieces = [
         _fitted(points, tree, part, count)
@@ -118,14 +126,3 @@ def _fitted(points: Array, tree: cKDTree, seeds: Array, count: int) -> tuple[Arr
     rms = np.sqrt((left_over**2).sum(axis=1) / freedom) * unit
     coefficients = solved * unit[:, None] ** np.array([1.0, 0, 0, -1, -1, -1])
     return seeds + centre, axes, coefficients, scale, rms
-
-
-def nearest_quadrics(
-    quadrics: LocalQuadrics, points: Array, candidates: int, at_once: int = 200_000
-) -> Iterator[tuple[slice, NDArray[np.intp]]]:
-    """Parts of the points (as slices) and the rows (m, candidates) of the quadrics nearest."""
-    tree = cKDTree(quadrics.origins, balanced_tree=False)
-    count = min(candidates, len(quadrics.origins))
-    for start in range(0, len(points), at_once):
-        part = slice(start, min(start + at_once, len(points)))
-        yield part, tree.query(points[part], k=range(1, count + 1), workers=-1)[1]

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Surfaces from clouds: fitted, extended, intersected and swept."""
 
+from .deviation import Deviation, deviation
 from .extension import Side, extend_surface
 from .fit_result import SurfaceFit
 from .intersection import SurfaceIntersection, intersect_surfaces
+from .segmentation import segment_cloud
 from .surface_fit import fit_surface
 from .sweep_kind import SweepKind, sweep_kinds
 from .swept_fit import SweptFit, compare_sweep_models, fit_swept_surface
 from .swept_surface import Pairing, SweepModel, SweptSurface
 
 __all__ = [
+    "Deviation",
     "Pairing",
     "Side",
     "SurfaceFit",
@@ -19,9 +22,11 @@ __all__ = [
     "SweptFit",
     "SweptSurface",
     "compare_sweep_models",
+    "deviation",
     "extend_surface",
     "fit_surface",
     "fit_swept_surface",
     "intersect_surfaces",
+    "segment_cloud",
     "sweep_kinds",
 ]

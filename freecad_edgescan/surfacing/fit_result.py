@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..geometry import BSplineSurface
+from .deviation_figures import DeviationFigures
 
 __all__ = ["SurfaceFit", "said_of_outside", "signed_deviation"]
 
@@ -16,7 +17,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class SurfaceFit:
+class SurfaceFit(DeviationFigures):
     """A surface fitted to points.
 
     Attributes
@@ -36,25 +37,6 @@ class SurfaceFit:
     outside: NDArray[np.bool_]
     supported: NDArray[np.bool_]
     message: str = ""
-
-    @property
-    def _inside(self) -> Array:
-        return np.asarray(self.deviation[~self.outside])
-
-    @property
-    def average(self) -> float:
-        """Mean absolute deviation of the points that were fitted, mm."""
-        return float(np.abs(self._inside).mean())
-
-    @property
-    def maximum(self) -> float:
-        """Largest absolute deviation of the points that were fitted, mm."""
-        return float(np.abs(self._inside).max())
-
-    @property
-    def rms(self) -> float:
-        """Root mean square of the deviations of the points that were fitted, mm."""
-        return float(np.sqrt(np.mean(self._inside**2)))
 
     def is_supported(self, u: ArrayLike, v: ArrayLike) -> NDArray[np.bool_]:
         """Whether the cloud supports the surface at parameters u and v, broadcast together."""
