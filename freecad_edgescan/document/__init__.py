@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from .cloud_object import make_cloud as make_cloud
     from .cloud_segment import make_cloud_segment as make_cloud_segment
     from .demo import make_demo as make_demo
+    from .deviation_from_shape import shape_deviation as shape_deviation
+    from .deviation_from_shape import write_deviations as write_deviations
+    from .deviation_map import make_deviation_map as make_deviation_map
     from .export import export_step as export_step
     from .extended_surface import make_extended_surface as make_extended_surface
     from .fitted_surface import make_fitted_surface as make_fitted_surface
@@ -42,6 +45,9 @@ _HOME_OF = {
     "make_fitted_surface": "fitted_surface",
     "make_extended_surface": "extended_surface",
     "make_surface_intersection": "surface_intersection",
+    "make_deviation_map": "deviation_map",
+    "shape_deviation": "deviation_from_shape",
+    "write_deviations": "deviation_from_shape",
     "make_loft": "sweeps",
     "make_scanned_edge": "scanned_edge",
     "make_sweep": "sweeps",

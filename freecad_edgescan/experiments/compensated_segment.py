@@ -8,12 +8,13 @@ from numpy.typing import NDArray
 
 from ..cloud import PartOfCloud, PointCloud, compensate_cloud
 from ..geometry import BSplineSurface
+from ..surfacing import segment_cloud
 
 __all__ = ["compensated_segment"]
 
 Array = NDArray[np.float64]
 
-_FACING = 0.5  # least cosine of the angle between the normals of a point and of its foot
+_STEEPEST = np.pi / 3  # rad, most by which the cloud may be inclined to the base surface
 _ROOM = 5.0  # pitches round the segment that compensation looks at
 
 
@@ -25,8 +26,8 @@ def compensated_segment(
 ) -> Array:
     """Points (n, 3) mm of the part's surface near a base surface.
 
-    Points whose foot is on the base surface's rim are left out, and, of a cloud of probe centres,
-    those that face elsewhere: on the surface beyond the rim, or on the far side of a thin wall.
+    Points whose foot is on the base surface's rim are left out, those on other sides of its edges,
+    and, of a cloud of probe centres, those on the far side of a thin wall.
 
     Parameters
     ----------
@@ -34,29 +35,31 @@ def compensated_segment(
     base : BSplineSurface
     distance : mm, from the base surface
     compensated : what `compensate_cloud` makes of the cloud, when it is there already
+
+    Raises
+    ------
+    ValueError: no point is that near, or the cloud cannot be compensated.
     """
     corners = base.poles.reshape(-1, 3)
     reach = distance + cloud.probe_radius
     if compensated is None:
         room = 0.0 if cloud.probe_radius == 0.0 else 2 * cloud.probe_radius + _ROOM * cloud.pitch
-        rows = _within(cloud.points, corners, reach + room)
-        if not rows.any():
+        near = _within(cloud.points, corners, reach + room)
+        if not near.any():
             return np.zeros((0, 3))
-        cloud = PointCloud(cloud.points[rows], cloud.probe_radius, cloud.approach)
+        cloud = PointCloud(cloud.points[near], cloud.probe_radius, cloud.approach)
         compensated = compensate_cloud(cloud)
-    rows = _within(compensated.points, corners, distance)
+    rows = np.flatnonzero(segment_cloud(compensated, base, distance, _STEEPEST))
     points = compensated.points[rows]
-    if not len(points):
-        return points
-    u, v, off = base.closest(points)
-    inner = off < distance
+    u, v, _ = base.closest(points)
+    inner = np.ones(len(points), dtype=bool)
     for x, (first, last) in zip((u, v), base.parameter_range, strict=True):
         inner &= (x > first) & (x < last)
     if cloud.probe_radius > 0.0 and inner.any():
         outwards = cloud.points[compensated.kept][rows] - points
         facing = np.einsum("mi,mi->m", outwards, base.normal(u, v))
-        inner &= facing * np.sign(np.median(facing[inner])) > _FACING * cloud.probe_radius
-    return points[inner]
+        inner &= facing * np.median(facing[inner]) > 0.0
+    return np.asarray(points[inner])
 
 
 def _within(points: Array, corners: Array, room: float) -> NDArray[np.bool_]:
