@@ -3,11 +3,13 @@
 
 from .base_surface import BaseSurface, base_surface
 from .coons import coons_surface
+from .cross_section import CrossSection, cross_section
 from .deviation import Deviation, deviation
 from .extension import Side, extend_surface
 from .fit_result import SurfaceFit
 from .intersection import SurfaceIntersection, intersect_surfaces
 from .primitive_shapes import ShapeKind
+from .section_profile import ProfileKind
 from .segmentation import segment_cloud
 from .surface_fit import fit_surface
 from .sweep_kind import SweepKind, sweep_kinds
@@ -16,8 +18,10 @@ from .swept_surface import Pairing, SweepModel, SweptSurface
 
 __all__ = [
     "BaseSurface",
+    "CrossSection",
     "Deviation",
     "Pairing",
+    "ProfileKind",
     "ShapeKind",
     "Side",
     "SurfaceFit",
@@ -29,6 +33,7 @@ __all__ = [
     "base_surface",
     "compare_sweep_models",
     "coons_surface",
+    "cross_section",
     "deviation",
     "extend_surface",
     "fit_surface",
