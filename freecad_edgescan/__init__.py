@@ -40,11 +40,15 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import recommend_parameters as recommend_parameters
     from freecad_edgescan.scanning import scan_boundary as scan_boundary
     from freecad_edgescan.scanning import scan_edge as scan_edge
+    from freecad_edgescan.surfacing import BaseSurface as BaseSurface
+    from freecad_edgescan.surfacing import CrossSection as CrossSection
     from freecad_edgescan.surfacing import Deviation as Deviation
     from freecad_edgescan.surfacing import SurfaceFit as SurfaceFit
     from freecad_edgescan.surfacing import SurfaceIntersection as SurfaceIntersection
     from freecad_edgescan.surfacing import SweptFit as SweptFit
     from freecad_edgescan.surfacing import SweptSurface as SweptSurface
+    from freecad_edgescan.surfacing import base_surface as base_surface
+    from freecad_edgescan.surfacing import cross_section as cross_section
     from freecad_edgescan.surfacing import deviation as deviation
     from freecad_edgescan.surfacing import extend_surface as extend_surface
     from freecad_edgescan.surfacing import fit_surface as fit_surface
@@ -91,6 +95,10 @@ _HOME_OF = {
     "SweptSurface": "surfacing",
     "fit_swept_surface": "surfacing",
     "SweptFit": "surfacing",
+    "base_surface": "surfacing",
+    "BaseSurface": "surfacing",
+    "cross_section": "surfacing",
+    "CrossSection": "surfacing",
     "segment_cloud": "surfacing",
     "deviation": "surfacing",
     "Deviation": "surfacing",
