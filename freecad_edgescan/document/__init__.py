@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from .casestudy import make_casestudy as make_casestudy
     from .cloud_cache import point_cloud as point_cloud
     from .cloud_object import make_cloud as make_cloud
+    from .cloud_section import make_cloud_section as make_cloud_section
     from .cloud_segment import make_cloud_segment as make_cloud_segment
     from .demo import make_demo as make_demo
     from .deviation_from_shape import shape_deviation as shape_deviation
@@ -48,6 +49,7 @@ _HOME_OF = {
     "make_deviation_map": "deviation_map",
     "shape_deviation": "deviation_from_shape",
     "write_deviations": "deviation_from_shape",
+    "make_cloud_section": "cloud_section",
     "make_loft": "sweeps",
     "make_scanned_edge": "scanned_edge",
     "make_sweep": "sweeps",
