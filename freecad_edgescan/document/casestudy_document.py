@@ -12,6 +12,7 @@ from ..surfacing import SweepModel
 from .appearance import Look
 from .cloud_cache import point_cloud
 from .cloud_segment import make_cloud_segment, write_segment
+from .deviation_map import make_deviation_map
 from .native_curve import curve_shape
 from .scanned_edge import make_scanned_edge, write_result
 from .swept_surface import make_swept_surface, write_sweep
@@ -93,6 +94,7 @@ def _make_surfaces(doc: Any, cloud: Any, rails: list[Any], pipe: CaseStudyPipe) 
         write_sweep(surface, whole[-1].fit)
         if model is SweepModel.ROTATE:
             made.append(surface)
+            make_deviation_map(doc, segment, surface, name=f"Pipe{pipe.number}Deviations")
     return made
 
 
@@ -107,6 +109,7 @@ def casestudy_looks(doc: Any) -> dict[str, Look]:
             looks[obj.Name] = {
                 "ScannedEdgeProxy": _EDGE,
                 "CloudSegmentProxy": _SEGMENT,
+                "DeviationMapProxy": _SEGMENT,
                 "Points::Feature": _CLOUD,
             }.get(kind, _PROFILE)
     return looks

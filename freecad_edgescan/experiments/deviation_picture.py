@@ -66,7 +66,7 @@ def draw_deviations(
         )  # fmt: skip
         figure.colorbar(drawn, ax=axes, label="deviation, mm", fraction=0.03, extend="both")
         bars = figure.add_subplot(grid[row, 1])
-        bars.hist(np.clip(deviation, -reach, reach), _BINS, (-reach, reach), color="0.4")
+        bars.hist(np.clip(deviation, -reach, reach), _BINS, range=(-reach, reach), color="0.4")
         bars.set_yticks([])
         bars.set_xlabel("deviation, mm")
     save_figure(figure, path)

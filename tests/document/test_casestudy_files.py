@@ -51,7 +51,7 @@ def test_a_small_box_gives_all_files_and_surfaces_near_the_truth(tmp_path: Path)
         assert read.Faces[0].Area == pytest.approx(surface.Shape.Area, rel=1e-6)
         assert surface.Average.Value == pytest.approx(float(best["average_mm"]), abs=1e-6)
         made = [item for item in doc.Objects if hasattr(item, "InputHash")]
-        assert len(made) == 2 + 1 + 1 + 2  # rims, base, points, models
+        assert len(made) == 2 + 1 + 1 + 2 + 1  # rims, base, points, models, deviations
         before_touch = [item.InputHash for item in made]
         assert all(before_touch)
         for item in made:
