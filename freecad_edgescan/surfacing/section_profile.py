@@ -2,13 +2,15 @@
 """The line, arc or spline that points of a section follow.
 
 The simplest that explains the points is taken: a line or an arc counts as explaining them when it
-leaves hardly more over than the spline does.
+leaves hardly more over than the spline does, or than the noise.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,14 +21,17 @@ from ..geometry.exact_surfaces import circular_arc
 __all__ = ["ProfileKind", "SectionProfile", "section_profile"]
 
 Array = NDArray[np.float64]
+_Shape = TypeVar("_Shape", Line, Circle)
 
-_AS_GOOD = 1.05  # rms relative to the spline's
+_AS_GOOD = 1.05  # rms relative to the spline's, for the degrees of freedom that leaves
 _EXACT = 1e-7  # of the size
-_NOISE_SHARE = 0.2  # of the noise: less is not seen
+_MOSTLY = 0.95  # of the points, which a line or an arc follows
+_MEDIAN = 1.4826  # standard deviations in a median absolute deviation
+_ROUNDS = 4
 _MOST = 1200  # points the spline is fitted to
 _STRAY = 5.0  # of the rms
 _LARGEST_TURN = 1.95 * np.pi
-_END_WEIGHT = 0.1  # sigma of the wanted ends, relative to that of the points
+_END_SIGMA = 2.0  # of the wanted ends, relative to that of the points; less makes hooks
 
 
 class ProfileKind(StrEnum):
@@ -76,22 +81,41 @@ def section_profile(
         followed = near
         spline = _spline(points[followed], sigma, ends)
     x = points[followed]
-    least = float(np.sqrt(np.mean(spline.closest(x)[1] ** 2)))
-    limit = max(_AS_GOOD * least, _NOISE_SHARE * noise, _EXACT * size)
+    freedom = max(len(x) - len(spline.poles), 1)
+    least = float(np.sqrt(np.sum(spline.closest(x)[1] ** 2) / freedom))
+    limit = max(_AS_GOOD * max(least, noise), _EXACT * size)
     if kind is ProfileKind.LINE or kind is None:
-        line = fit_line(x).line
-        if kind or _rms(line.residuals(x)) <= limit:
-            return SectionProfile(ProfileKind.LINE, _segment(line, x, ends), line, followed)
+        line, near, rms = _robust(lambda some: fit_line(some).line, points, sigma)
+        if kind or (rms <= limit and near.mean() >= _MOSTLY):
+            return SectionProfile(ProfileKind.LINE, _segment(line, points[near], ends), line, near)
     if kind is ProfileKind.ARC or kind is None:
-        circle = _circle(x, kind)
-        if circle is not None and (kind or _rms(circle.residuals(x)) <= limit):
-            arc = _arc(circle, x, ends)
-            return SectionProfile(ProfileKind.ARC, arc, circle, followed)
+        try:
+            circle, near, rms = _robust(_circle, points, sigma)
+        except ValueError:
+            if kind:
+                raise
+            return SectionProfile(ProfileKind.SPLINE, spline, None, followed)
+        turn = float(np.ptp(_angles(circle, points[near])))
+        if kind or (rms <= limit and near.mean() >= _MOSTLY and turn <= _LARGEST_TURN):
+            arc = _arc(circle, points[near], ends)
+            return SectionProfile(ProfileKind.ARC, arc, circle, near)
     return SectionProfile(ProfileKind.SPLINE, spline, None, followed)
 
 
-def _rms(residuals: Array) -> float:
-    return float(np.sqrt(np.mean(np.sum(residuals**2, axis=1))))
+def _robust(
+    fit: Callable[[Array], _Shape], points: Array, sigma: float
+) -> tuple[_Shape, NDArray[np.bool_], float]:
+    """A line or circle without strays, the points it follows, and their rms, mm."""
+    near = np.ones(len(points), dtype=bool)
+    for _ in range(_ROUNDS):
+        shape = fit(points[near])
+        off = np.linalg.norm(shape.residuals(points), axis=1)
+        spread = max(_MEDIAN * float(np.median(off)), sigma)
+        kept = off <= _STRAY * spread
+        if np.array_equal(kept, near):
+            break
+        near = kept
+    return shape, near, float(np.sqrt(np.mean(off[near] ** 2)))
 
 
 def _spline(points: Array, sigma: float, ends: tuple[Array | None, Array | None]) -> BSplineCurve:
@@ -99,9 +123,9 @@ def _spline(points: Array, sigma: float, ends: tuple[Array | None, Array | None]
     x, deviation = points[rows], np.full(len(rows), sigma)
     first, last = ends
     if first is not None:
-        x, deviation = np.vstack([first, x]), np.append(_END_WEIGHT * sigma, deviation)
+        x, deviation = np.vstack([first, x]), np.append(_END_SIGMA * sigma, deviation)
     if last is not None:
-        x, deviation = np.vstack([x, last]), np.append(deviation, _END_WEIGHT * sigma)
+        x, deviation = np.vstack([x, last]), np.append(deviation, _END_SIGMA * sigma)
     return fit_curve(x, deviation)
 
 
@@ -114,23 +138,16 @@ def _segment(line: Line, x: Array, ends: tuple[Array | None, Array | None]) -> B
     return BSplineCurve(line.evaluate(np.array(limits)), np.array([0.0, 0, 1, 1]), 1)
 
 
-def _circle(x: Array, kind: ProfileKind | None) -> Circle | None:
-    try:
-        circle = fit_circle(x).circle
-    except ValueError:
-        if kind is ProfileKind.ARC:
-            raise
-        return None
-    # angles are counted from the middle of the arc, and grow along it
+def _circle(x: Array) -> Circle:
+    """The circle through points, its angles counted from their middle and growing along them."""
+    circle = fit_circle(x).circle
     middle = x[len(x) // 2] - circle.centre
     reference = middle - (middle @ circle.axis) * circle.axis
-    circle = Circle(
-        circle.centre, circle.axis, circle.radius, reference / np.linalg.norm(reference)
-    )
+    circle = replace(circle, reference=reference / np.linalg.norm(reference))
     angles = _angles(circle, x)
     if angles[: len(x) // 2].mean() > angles[len(x) // 2 :].mean():
-        circle = Circle(circle.centre, -circle.axis, circle.radius, circle.reference)
-    return circle if np.ptp(angles) <= _LARGEST_TURN or kind is ProfileKind.ARC else None
+        circle = replace(circle, axis=-circle.axis)
+    return circle
 
 
 def _angles(circle: Circle, x: Array) -> Array:
