@@ -159,6 +159,17 @@ def _demo(options: argparse.Namespace) -> int:
     return exit_code(progress)
 
 
+def _casestudy(options: argparse.Namespace) -> int:
+    from freecad_edgescan.document.casestudy import make_casestudy
+
+    if options.output.is_file():
+        raise ValueError(f"{options.output} is a file; give -o a folder, which is made if need be.")
+    with TerminalProgress("casestudy") as progress:
+        result = make_casestudy(options.output, progress, pitch=options.pitch)
+    print(result)
+    return exit_code(progress)
+
+
 COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "scan": _scan,
     "recommend": _recommend,
@@ -167,6 +178,7 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "accuracy": _accuracy,
     "doe": _doe,
     "demo": _demo,
+    "casestudy": _casestudy,
 }
 
 if __name__ == "__main__":

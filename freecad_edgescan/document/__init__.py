@@ -14,26 +14,46 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from .arc_profile import make_arc_profile as make_arc_profile
     from .bridge import points_of as points_of
+    from .casestudy import make_casestudy as make_casestudy
     from .cloud_cache import point_cloud as point_cloud
     from .cloud_object import make_cloud as make_cloud
+    from .cloud_section import make_cloud_section as make_cloud_section
+    from .cloud_segment import make_cloud_segment as make_cloud_segment
     from .demo import make_demo as make_demo
+    from .deviation_from_shape import shape_deviation as shape_deviation
+    from .deviation_from_shape import write_deviations as write_deviations
+    from .deviation_map import make_deviation_map as make_deviation_map
     from .export import export_step as export_step
+    from .extended_surface import make_extended_surface as make_extended_surface
+    from .fitted_surface import make_fitted_surface as make_fitted_surface
     from .native_edge import edge_shape as edge_shape
     from .scanned_edge import make_scanned_edge as make_scanned_edge
     from .sharp_edges import true_edges as true_edges
     from .simulated_shape import simulate_cloud as simulate_cloud
+    from .surface_intersection import make_surface_intersection as make_surface_intersection
     from .sweeps import make_loft as make_loft
     from .sweeps import make_sweep as make_sweep
+    from .swept_surface import make_swept_surface as make_swept_surface
 
 _HOME_OF = {
     "edge_shape": "native_edge",
     "export_step": "export",
     "make_arc_profile": "arc_profile",
+    "make_casestudy": "casestudy",
     "make_cloud": "cloud_object",
     "make_demo": "demo",
+    "make_cloud_segment": "cloud_segment",
+    "make_fitted_surface": "fitted_surface",
+    "make_extended_surface": "extended_surface",
+    "make_surface_intersection": "surface_intersection",
+    "make_deviation_map": "deviation_map",
+    "shape_deviation": "deviation_from_shape",
+    "write_deviations": "deviation_from_shape",
+    "make_cloud_section": "cloud_section",
     "make_loft": "sweeps",
     "make_scanned_edge": "scanned_edge",
     "make_sweep": "sweeps",
+    "make_swept_surface": "swept_surface",
     "point_cloud": "cloud_cache",
     "points_of": "bridge",
     "simulate_cloud": "simulated_shape",

@@ -57,11 +57,19 @@ def document_points_of(obj: Any) -> Array:
         raise ValueError(
             f"{getattr(obj, 'Label', obj)!r} is not a point cloud; choose a Points object."
         )
-    matrix = np.array(obj.getGlobalPlacement().toMatrix().A, dtype=float).reshape(4, 4)
+    matrix = np.array(_global_placement(obj).toMatrix().A, dtype=float).reshape(4, 4)
     points = array_from_kernel(kernel)
     if np.array_equal(matrix, np.eye(4)):
         return points
     return np.asarray(points @ matrix[:3, :3].T + matrix[:3, 3])
+
+
+def _global_placement(obj: Any) -> Any:
+    """Where an object stands with the parts it is in; Points::FeaturePython cannot tell itself."""
+    if hasattr(obj, "getGlobalPlacement"):
+        return obj.getGlobalPlacement()
+    group = obj.getParentGeoFeatureGroup()
+    return obj.Placement if group is None else group.getGlobalPlacement().multiply(obj.Placement)
 
 
 def origin_of(obj: Any) -> Array:

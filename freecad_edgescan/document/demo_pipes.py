@@ -14,16 +14,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..cloud.half_pipe import HalfPipe
+from ..experiments.true_wall import deviation_from_wall
 from .arc_profile import make_arc_profile
 from .sweeps import make_loft, make_sweep
 
-__all__ = ["DemoSurface", "deviation_from_wall", "make_pipe"]
+__all__ = ["DemoSurface", "make_pipe"]
 
 Array = NDArray[np.float64]
 
 _ENDS = (0.04, 0.96)  # between these shares of the first rail the profiles stand
 _GRID = (160, 24)  # places on a surface, along and across
-_FINER = 4  # samples of the spine between two of the pipe's own
 
 
 @dataclass(frozen=True)
@@ -93,20 +93,3 @@ def _places(shape: Any) -> Array:
                 place = face.valueAt(u, v)
                 places.append((place.x, place.y, place.z))
     return np.array(places)
-
-
-def deviation_from_wall(pipe: HalfPipe, places: Array) -> Array:
-    """Distances (k,) of places (k, 3) from the wall of a pipe, mm.
-
-    The wall is the envelope of spheres along the spine: near it, the distance is that to the
-    nearest sphere.
-    """
-    own = pipe.parameters
-    fine = np.interp(np.arange(0, len(own) - 1, 1.0 / _FINER), np.arange(len(own)), own)
-    spheres = pipe.spine(fine)
-    deviation = np.empty(len(places))
-    for part in np.array_split(np.arange(len(places)), max(1, len(places) // 500)):
-        offset = places[part, None, :2] - spheres[:, :2]
-        distance = np.sqrt((offset**2).sum(axis=2) + places[part, 2:] ** 2)
-        deviation[part] = np.abs((distance - spheres[:, 2]).min(axis=1))
-    return deviation

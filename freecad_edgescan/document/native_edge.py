@@ -5,15 +5,15 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
 import numpy as np
 import Part
 from numpy.typing import ArrayLike
 
-from ..geometry import BSplineCurve, Circle, Line
+from ..geometry import Circle, Line
 from ..scanning import ScanError, ScannedEdge
+from .native_curve import curve_shape, vector
 
-__all__ = ["curve_shape", "edge_shape"]
+__all__ = ["edge_shape"]
 
 
 def edge_shape(edge: ScannedEdge) -> Any:
@@ -43,36 +43,16 @@ def edge_shape(edge: ScannedEdge) -> Any:
     return curve_shape(edge.curve())
 
 
-def curve_shape(curve: BSplineCurve) -> Any:
-    """Make a native B-spline edge with the same poles, weights and knots."""
-    knots, multiplicities = curve.distinct_knots_and_multiplicities()
-    native = Part.BSplineCurve()
-    weights = np.ones(len(curve.poles)) if curve.weights is None else curve.weights
-    native.buildFromPolesMultsKnots(
-        [_vector(pole) for pole in curve.poles],
-        [int(count) for count in multiplicities],
-        [float(knot) for knot in knots],
-        bool(curve.periodic),
-        int(curve.degree),
-        [float(weight) for weight in weights],
-    )
-    return native.toShape()
-
-
 def _segment(line: Line, points: ArrayLike) -> Any:
     along, _ = line.closest(points)
     start, end = line.evaluate(np.array([along[0], along[-1]]))
-    return Part.LineSegment(_vector(start), _vector(end)).toShape()
+    return Part.LineSegment(vector(start), vector(end)).toShape()
 
 
 def _arc(circle: Circle, edge: ScannedEdge) -> Any:
     if edge.closed:
-        return Part.Circle(_vector(circle.centre), _vector(circle.axis), circle.radius).toShape()
+        return Part.Circle(vector(circle.centre), vector(circle.axis), circle.radius).toShape()
     angles = circle.angles(edge.vertex_to_vertex)
     first, last = float(angles[0]), float(angles[-1])
     places = circle.evaluate(np.array([first, (first + last) / 2.0, last]))
-    return Part.Arc(*(_vector(place) for place in places)).toShape()
-
-
-def _vector(values: ArrayLike) -> Any:
-    return FreeCAD.Vector(*np.asarray(values, dtype=float).tolist())
+    return Part.Arc(*(vector(place) for place in places)).toShape()

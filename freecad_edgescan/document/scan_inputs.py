@@ -140,8 +140,15 @@ def input_hash(obj: Any) -> str:
         value = (
             tuple(value) if isinstance(value, FreeCAD.Vector) else getattr(value, "Value", value)
         )
-        texts.append(f"{name}={value!r}")
+        texts.append(f"{name}={_as_a_file_keeps_it(value)!r}")
     return hashlib.blake2b("\n".join(texts).encode(), digest_size=16).hexdigest()
+
+
+def _as_a_file_keeps_it(value: Any) -> Any:
+    """Numbers less the last digits, which do not survive in a document's file."""
+    if isinstance(value, tuple):
+        return tuple(_as_a_file_keeps_it(own) for own in value)
+    return float(f"{value:.12g}") if isinstance(value, float) else value
 
 
 def _point(name: str, value: ArrayLike) -> Array:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import ndimage
 from scipy.spatial import cKDTree
 
-__all__ = ["Relief", "relief"]
+__all__ = ["Relief", "relief", "view_axes"]
 
 Array = NDArray[np.float64]
 
@@ -68,6 +68,15 @@ class Relief:
         return np.where(empty, np.nan, 0.35 + 0.6 * np.clip(bright, 0.0, 1.0))
 
 
+def view_axes(direction: ArrayLike) -> Array:
+    """Rows to the right, upwards and towards a viewer who is in a direction (3,) from the part."""
+    towards = np.asarray(direction, dtype=np.float64) / np.linalg.norm(direction)
+    upright = np.array([0.0, 0.0, 1.0]) if abs(towards[2]) < 0.95 else np.array([0.0, 1.0, 0.0])
+    right = np.cross(upright, towards)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(towards, right), towards])
+
+
 def relief(points: Array, pitch: float, direction: ArrayLike) -> Relief:
     """Relief of a cloud.
 
@@ -77,11 +86,7 @@ def relief(points: Array, pitch: float, direction: ArrayLike) -> Relief:
     pitch : the cloud's pitch, mm; pixels are half as wide, or wider where the picture were large
     direction : (3,) from the part towards the viewer
     """
-    towards = np.asarray(direction, dtype=np.float64) / np.linalg.norm(direction)
-    upright = np.array([0.0, 0.0, 1.0]) if abs(towards[2]) < 0.95 else np.array([0.0, 1.0, 0.0])
-    right = np.cross(upright, towards)
-    right /= np.linalg.norm(right)
-    axes = np.stack([right, np.cross(towards, right), towards])
+    axes = view_axes(direction)
     seen = points @ axes.T
     size = np.ptp(seen[:, :2], axis=0)
     cell = max(0.5 * pitch, float(size.max()) / MOST_PIXELS)

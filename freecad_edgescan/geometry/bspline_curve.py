@@ -17,8 +17,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import BSpline
 
+from freecad_edgescan.geometry.blossom import poles_of_higher_degree, poles_over_knots
+from freecad_edgescan.geometry.curve_projection import closest_on_curve
+from freecad_edgescan.geometry.knot_vectors import cut_knots
 from freecad_edgescan.geometry.plane import Plane
-from freecad_edgescan.geometry.polyline import distance_to_polyline
 
 __all__ = ["BSplineCurve"]
 
@@ -158,14 +160,19 @@ class BSplineCurve:
     @cached_property
     def _spline(self) -> BSpline:
         """SciPy's spline of the poles, homogeneous (x w, y w, z w, w) when rational."""
+        return BSpline(self.knots, self._homogeneous, self.degree, extrapolate=False)
+
+    @cached_property
+    def _homogeneous(self) -> Array:
+        """Poles as many as the knots ask for, of a rational curve (x w, y w, z w, w)."""
         poles = self.poles
         if self.weights is not None:
             poles = np.column_stack([poles * self.weights[:, None], self.weights])
         if self.periodic:
             poles = poles[np.arange(len(poles) + self.degree) % len(poles)]
-        return BSpline(self.knots, poles, self.degree, extrapolate=False)
+        return poles
 
-    def _inside(self, u: ArrayLike) -> Array:
+    def inside(self, u: ArrayLike) -> Array:
         """Parameters brought into the range: wrapped when periodic, else clipped."""
         first, last = self.parameter_range
         u = np.asarray(u, dtype=float)
@@ -179,7 +186,7 @@ class BSplineCurve:
 
     def derivative(self, u: ArrayLike, order: int = 1) -> Array:
         """Derivative by the parameter, shape of u plus (3,)."""
-        inside = self._inside(u)
+        inside = self.inside(u)
         if self.weights is None:
             return np.asarray(self._spline(inside, nu=order))
         homogeneous = [np.asarray(self._spline(inside, nu=k)) for k in range(order + 1)]
@@ -268,46 +275,8 @@ class BSplineCurve:
         parameters (m,) within the range and distances (m,) in mm.
         """
         asked: Array = np.atleast_2d(np.asarray(points, dtype=float))
-        if start is None:
-            breaks = self._breaks[0]
-            _, index, fraction = distance_to_polyline(asked, self.evaluate(breaks))
-            u = breaks[index] + fraction * (breaks[index + 1] - breaks[index])
-        else:
-            u = self._inside(start)
-        away = self.evaluate(u) - asked
-        square = np.sum(away**2, axis=1)
-        active: NDArray[np.intp] = np.arange(len(asked))
-        first, last = self.parameter_range
-        for _ in range(30):
-            if not len(active):
-                break
-            step = self._newton_step(u[active], away[active])
-            waiting = np.arange(len(active))
-            for shrink in 0.25 ** np.arange(6):
-                rows = active[waiting]
-                trial = self._inside(u[rows] + shrink * step[waiting])
-                moved = self.evaluate(trial) - asked[rows]
-                reached = np.sum(moved**2, axis=1)
-                nearer = reached < square[rows]
-                rows = rows[nearer]
-                u[rows], away[rows], square[rows] = trial[nearer], moved[nearer], reached[nearer]
-                waiting = waiting[~nearer]
-                if not len(waiting):
-                    break
-            going = np.abs(step) > 1e-12 * (last - first)
-            going[waiting] = False
-            active = active[going]
-        return u, np.sqrt(square)
-
-    def _newton_step(self, u: Array, away: Array) -> Array:
-        """Step towards the foot of the perpendicular, never longer than a piece."""
-        first, second = self.derivative(u, 1), self.derivative(u, 2)
-        slope = np.sum(away * first, axis=1)
-        square = np.sum(first**2, axis=1)
-        bend = square + np.sum(away * second, axis=1)
-        bend = np.where(bend > 1e-3 * square, bend, square)
-        longest = np.diff(self._breaks[0]).max()
-        return np.clip(-slope / np.where(bend > 0.0, bend, np.inf), -longest, longest)
+        breaks = self._breaks[0]
+        return closest_on_curve(self, breaks, asked, None if start is None else self.inside(start))
 
     def flattened(self, plane: Plane) -> BSplineCurve:
         """The curve's projection into a plane, over the same parameters."""
@@ -327,3 +296,65 @@ class BSplineCurve:
             self.periodic,
             None if self.weights is None else self.weights[place],
         )
+
+    def _clamped(self, homogeneous: Array, knots: Array, degree: int) -> BSplineCurve:
+        """The open curve with these poles, which are homogeneous when this one is rational."""
+        if self.weights is None:
+            return BSplineCurve(homogeneous, knots, degree)
+        weights = homogeneous[:, 3]
+        return BSplineCurve(homogeneous[:, :3] / weights[:, None], knots, degree, False, weights)
+
+    def over_knots(self, knots: Array) -> BSplineCurve:
+        """The same curve, or the part between the ends of other knots that hold its own."""
+        poles = poles_over_knots(self.knots, self.degree, self._homogeneous, knots)
+        return self._clamped(poles, knots, self.degree)
+
+    def restricted(self, first: float, last: float) -> BSplineCurve:
+        """The part of the curve between two parameters, open and over the same parameters."""
+        low, high = self.parameter_range
+        if not low <= first < last <= high:
+            raise ValueError(
+                f"The part from {first:g} to {last:g} is not one of the curve; choose limits in "
+                f"order between {low:g} and {high:g}."
+            )
+        return self.over_knots(cut_knots(self.knots, self.degree, first, last))
+
+    def opened(self) -> BSplineCurve:
+        """The same curve with clamped knots; a periodic one begins and ends at its seam."""
+        return self.restricted(*self.parameter_range)
+
+    def refined(self, u: ArrayLike) -> BSplineCurve:
+        """The same curve, opened, with a knot inserted at each of the parameters u."""
+        added = np.atleast_1d(np.asarray(u, dtype=float))
+        first, last = self.parameter_range
+        wrong = added[~((added > first) & (added < last))]
+        if len(wrong):
+            raise ValueError(
+                f"A knot at {wrong[0]:g} cannot be inserted; choose it between {first:g} and "
+                f"{last:g}."
+            )
+        knots = cut_knots(self.knots, self.degree, first, last)
+        return self.over_knots(np.sort(np.append(knots, added)))
+
+    def elevated(self, degree: int) -> BSplineCurve:
+        """The same curve, opened, written with a higher degree."""
+        if degree < self.degree:
+            raise ValueError(
+                f"A curve of degree {self.degree} cannot be written with degree {degree}; fit a "
+                "new one."
+            )
+        curve = self.opened()
+        knots, poles = curve.knots, curve._homogeneous
+        for p in range(self.degree, degree):
+            knots, poles = poles_of_higher_degree(knots, p, poles)
+        return self._clamped(poles, knots, degree)
+
+    def over_range(self, first: float, last: float) -> BSplineCurve:
+        """The same curve with its parameters scaled to a new range."""
+        if not first < last:
+            raise ValueError(f"The range from {first:g} to {last:g} is not one; give first < last.")
+        low, high = self.parameter_range
+        knots = first + (self.knots - low) * ((last - first) / (high - low))
+        # to the last bit, so that clamped ends stay equal
+        knots[self.knots == low], knots[self.knots == high] = first, last
+        return replace(self, knots=knots)

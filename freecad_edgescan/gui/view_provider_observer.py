@@ -18,6 +18,18 @@ __all__ = ["start_watching", "stop_watching"]
 _HOME_OF = {
     "ScannedEdgeProxy": ("scanned_edge_view", "ViewProviderScannedEdge"),
     "SweepProxy": ("sweep_view", "ViewProviderSweep"),
+    **dict.fromkeys(
+        (
+            "SweptSurfaceProxy",
+            "FittedSurfaceProxy",
+            "ExtendedSurfaceProxy",
+            "SurfaceIntersectionProxy",
+            "CloudSegmentProxy",
+            "CloudSectionProxy",
+            "DeviationMapProxy",
+        ),
+        ("computed_view", "ViewProviderComputed"),
+    ),
 }
 
 _watching: list[Any] = []

@@ -15,7 +15,6 @@ Part = pytest.importorskip("Part")
 from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.cloud import CoreBox  # noqa: E402
 from freecad_edgescan.document import demo  # noqa: E402
-from freecad_edgescan.document.demo_pipes import deviation_from_wall  # noqa: E402
 
 
 class Listener:
@@ -86,15 +85,6 @@ def test_cancelling_keeps_what_was_found(tmp_path: Path) -> None:
     table = run(tmp_path, Listener(cancel_at=0.4))
     assert "CANCELLED" in table
     assert (tmp_path / "corebox.csv").stat().st_size > 100
-
-
-def test_the_true_wall_of_a_pipe_is_where_its_ball_touches(tmp_path: Path) -> None:
-    box = CoreBox.small(probe_radius=0.0)
-    cloud = box.cloud(0.5, noise=0.0)
-    on_wall = cloud.points[cloud.labels == 1]
-    assert deviation_from_wall(box.pipes[0], on_wall).max() < 1e-3
-    inside = on_wall[on_wall[:, 2] < -2.0] + (0.0, 0.0, 0.5)
-    assert np.all(deviation_from_wall(box.pipes[0], inside) <= 0.5 + 1e-3)
 
 
 def test_the_loft_follows_the_pipe_and_the_sweep_of_one_profile_cannot(tmp_path: Path) -> None:

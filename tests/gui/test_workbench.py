@@ -10,7 +10,12 @@ import pytest
 
 Gui = pytest.importorskip("FreeCADGui")
 
-COMMANDS = ["EdgeScan_ImportCloud", "EdgeScan_ScanEdge", "EdgeScan_Sweep", "EdgeScan_Loft"]
+COMMANDS = [
+    *("EdgeScan_ImportCloud", "EdgeScan_ScanEdge", "EdgeScan_Sweep", "EdgeScan_Loft"),
+    *("EdgeScan_CloudSection", "EdgeScan_SweptSurface", "EdgeScan_CloudSegment"),
+    *("EdgeScan_FittedSurface", "EdgeScan_ExtendSurface", "EdgeScan_IntersectSurfaces"),
+    "EdgeScan_DeviationMap",
+]
 
 
 def test_the_workbench_opens_with_a_toolbar_and_a_menu(workbench: Any) -> None:

@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Clouds thinned evenly, without rows or clumps: no two points too near, and no holes.
+
+1. One point is taken of every small cube, the one nearest to its middle, so that what follows does
+   not depend on how dense the cloud was.
+2. Points are taken in a random order that is always the same, unless one taken before is nearer
+   than a distance: dart throwing, as in Cook 1986, Stochastic sampling in computer graphics. It is
+   done for all points at once: whoever comes first among its neighbours is taken, they go, and so
+   on (Luby 1986, A simple parallel algorithm for the maximal independent set problem).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from .part_of_cloud import PartOfCloud
+from .point_cloud import PointCloud
+
+__all__ = ["spaced_rows", "thin_cloud"]
+
+Array = NDArray[np.float64]
+
+_DISTANCE = 0.82  # of the pitch: discs so thrown until none fits in cover 0.547 of a plane
+_CUBE = 0.4  # of the distance
+
+
+def thin_cloud(cloud: PointCloud, pitch: float) -> PartOfCloud:
+    """Some of a cloud's points, evenly spread over its surface.
+
+    Parameters
+    ----------
+    cloud : PointCloud
+    pitch : float
+        1 / √(points per mm²) of what remains, mm, where the cloud is denser than that.
+
+    Returns
+    -------
+    PartOfCloud: its ``kept`` (n,) tells which points they are. No two of them are nearer than 0.82
+    of the pitch, and no point that was left out is farther than that from one of them. The same
+    cloud always gives the same points.
+
+    Raises
+    ------
+    ValueError: a pitch that is not positive.
+    """
+    if not 0.0 < pitch < np.inf:
+        raise ValueError(f"The pitch is {pitch} mm; give the positive pitch to thin the cloud to.")
+    kept = np.zeros(len(cloud), dtype=bool)
+    kept[spaced_rows(cloud.points, _DISTANCE * pitch)] = True
+    return PartOfCloud(
+        cloud.points[kept],
+        kept,
+        cloud.probe_radius,
+        cloud.approach,
+        f"{np.count_nonzero(kept)} of {len(cloud)} points were kept.",
+    )
+
+
+def spaced_rows(points: Array, distance: float) -> NDArray[np.intp]:
+    """Rows of points (n, 3) of which no two are nearer than a distance, mm, and none is missing."""
+    rows = _one_of_each_cube(points, _CUBE * distance)
+    x = points[rows] - points[rows[0]]
+    chosen = _spaced(x, distance)
+    # what the cubes left out may still be too far from all that were taken
+    spare = np.ones(len(points), dtype=bool)
+    spare[rows] = False
+    while True:
+        taken = rows[chosen]
+        left = np.flatnonzero(spare)
+        if not len(left):
+            break
+        tree = cKDTree(points[taken], balanced_tree=False)
+        near, _ = tree.query(points[left], distance_upper_bound=distance)
+        lonely = left[np.isinf(near)]
+        spare[:] = False
+        spare[lonely] = True
+        if not len(lonely):
+            break
+        added = lonely[_spaced(points[lonely] - points[lonely[0]], distance)]
+        rows, chosen = np.concatenate([taken, added]), np.ones(len(taken) + len(added), dtype=bool)
+        spare[added] = False
+    return np.sort(rows[chosen])
+
+
+def _one_of_each_cube(points: Array, side: float) -> NDArray[np.intp]:
+    """Rows of the points nearest to the middles of the cubes that hold any."""
+    place = (points - points.min(axis=0)) / side
+    cell = np.floor(place)
+    off = ((place - cell - 0.5) ** 2).sum(axis=1)
+    counts = cell.max(axis=0) + 1.0
+    if counts.prod() > 2.0**62:  # hardly two points share a cube
+        return np.arange(len(points))
+    number = cell.astype(np.int64) @ np.array(
+        [int(counts[1]) * int(counts[2]), int(counts[2]), 1], dtype=np.int64
+    )
+    order = np.lexsort((off, number))
+    first = np.flatnonzero(np.diff(number[order], prepend=-1))
+    return np.sort(order[first])
+
+
+def _spaced(x: Array, distance: float) -> NDArray[np.bool_]:
+    """Which points are taken when each one in turn is, unless one before is too near."""
+    count = len(x)
+    rank = np.random.default_rng(0).permutation(count)
+    one, other = _near_pairs(x, distance)
+    taken, open_ = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
+    while len(one):
+        # those whose every open neighbour comes later
+        waits = np.zeros(count, dtype=bool)
+        later = rank[one] > rank[other]
+        waits[one[later]] = True
+        waits[other[~later]] = True
+        taken |= open_ & ~waits
+        gone = np.zeros(count, dtype=bool)
+        gone[one[taken[other]]] = True
+        gone[other[taken[one]]] = True
+        open_ &= ~(taken | gone)
+        still = open_[one] & open_[other]
+        one, other = one[still], other[still]
+    return taken | open_
+
+
+def _near_pairs(x: Array, distance: float) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """All pairs of points nearer than a distance."""
+    tree = cKDTree(x, balanced_tree=False)
+    pairs = tree.query_pairs(distance * (1.0 - 1e-9), output_type="ndarray")
+    return pairs[:, 0], pairs[:, 1]

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The part of a cloud near a base surface, as a cloud of its own that follows both.
+
+The name of this module and of `CloudSegmentProxy` are written into users' files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import FreeCAD
+
+from .bridge import kernel_from_array, origin_of
+from .cloud_cache import cloud_checksum
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed, result
+from .declared_properties import Declared
+from .linked_geometry import linked_surface, require_cloud, require_shape
+from .points_near_base import points_near_base
+
+__all__ = ["CloudSegmentProxy", "make_cloud_segment", "write_segment"]
+
+_PROPERTIES = (
+    Declared("LinkGlobal", "Cloud", "Segment", "The cloud of which this is a part"),
+    Declared("LinkGlobal", "Base", "Segment", "Surface near the points, such as a swept surface"),
+    Declared("Distance", "Distance", "Segment", "Of the surface from the base surface, at most"),
+    result("Length", "ProbeRadius", "Always 0: the points lie on the part's surface"),
+    result("Integer", "PointCount", "Number of points"),
+    MESSAGE,
+    ORIGIN,
+)
+
+
+def make_cloud_segment(
+    doc: Any, cloud: Any, base: Any, distance: float = 3.0, name: str = "CloudSegment"
+) -> Any:
+    """Make a cloud of the points near a base surface; `doc.recompute()` finds them.
+
+    Parameters
+    ----------
+    doc : App.Document
+    cloud : Points::Feature
+    base : object whose Shape is one face
+    distance : mm, from the base surface
+    name : of the object
+
+    Returns
+    -------
+    Points::FeaturePython. Its points lie on the part also when the cloud holds centres of a
+    probe, and those where the probe rolled over the base surface's rim are left out.
+
+    Raises
+    ------
+    ValueError: no cloud, a base without a shape, or a distance that is not positive.
+    """
+    require_cloud(cloud)
+    require_shape("base surface", [base])
+    if not distance > 0.0:
+        raise ValueError(f"The distance is {distance} mm; give a positive length.")
+    obj = doc.addObject("Points::FeaturePython", name)
+    CloudSegmentProxy(obj)
+    obj.Cloud, obj.Base, obj.Distance = cloud, base, float(distance)
+    return obj
+
+
+class CloudSegmentProxy(ComputedProxy):
+    """What makes the object cut its cloud."""
+
+    PROPERTIES = _PROPERTIES
+
+    def is_empty(self, obj: Any) -> bool:
+        """Whether it has no points."""
+        return int(obj.Points.CountPoints) == 0
+
+    def depends_on(self, obj: Any) -> Iterable[object]:
+        """Cloud, base surface and distance."""
+        yield linked_surface(obj.Base, "base surface")
+        yield "" if obj.Cloud is None else cloud_checksum(obj.Cloud)
+        yield obj.Distance.Value
+
+    def compute(self, obj: Any) -> None:
+        """Find the points."""
+        base = linked_surface(obj.Base, "base surface")
+        write_segment(obj, points_near_base(obj.Cloud, base, obj.Distance.Value))
+
+
+def write_segment(obj: Any, points: Any) -> None:
+    """Write points (n, 3), document coordinates, that were found with the present inputs."""
+    placement = obj.Placement
+    obj.Points = kernel_from_array(points)
+    obj.Placement = placement
+    obj.PointCount = len(points)
+    obj.Message = ""
+    obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+    mark_as_computed(obj)

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far a cloud is from any shape, point by point, and on which side."""
+
+from __future__ import annotations
+
+import csv
+from collections import Counter
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..cloud import PointCloud
+from ..scanning import Progress
+from ..surfacing import Deviation
+from ..surfacing.deviation import points_of
+from .trimmed_face import TrimmedFace
+
+__all__ = ["shape_deviation", "write_deviations"]
+
+_SAME = 1e-6  # mm, by which distances from two faces may differ where these share an edge
+
+
+def shape_deviation(
+    cloud: PointCloud | ArrayLike, shape: Any, progress: Progress | None = None
+) -> Deviation:
+    """Signed distances of points from the nearest face of a shape.
+
+    Parameters
+    ----------
+    cloud : PointCloud or (n, 3) array, mm
+        Points on the part's surface; compensate a cloud of probe centres first.
+    shape : Part.Shape with faces: a surface, a shell or a solid
+    progress : object with ``update(fraction, so_far) -> bool``, optional
+        Told the share of the faces; when it answers False, the faces so far count.
+
+    Returns
+    -------
+    Deviation: positive on the side of the face's normal, which of a solid is outside. ``outside``
+    are points whose nearest place is a free rim of the shape; ``parameters`` are those of the
+    nearest face.
+
+    Raises
+    ------
+    ValueError: a shape without a face, no points, or a cloud of probe centres.
+    """
+    points = points_of(cloud)
+    faces = [] if shape.isNull() else shape.Faces
+    if not faces:
+        raise ValueError("The shape has no face to measure deviations from; choose another one.")
+    shared = Counter(int(edge.hashCode()) for face in faces for edge in face.Edges)
+    seams = {int(edge.hashCode()) for face in faces for edge in face.Edges if edge.isSeam(face)}
+    free = [name for name, count in shared.items() if count == 1 and name not in seams]
+    distance = np.full(len(points), np.inf)
+    height = np.zeros(len(points))
+    outside = np.zeros(len(points), dtype=bool)
+    at = np.zeros((len(points), 2))
+    for number, face in enumerate(faces, 1):
+        rows = _may_be_nearer(points, face, distance + _SAME)
+        if len(rows):
+            off, high, uv, on_rim = TrimmedFace(face).closest(points[rows])
+            nearer = off < distance[rows] - _SAME
+            # Over an edge that two faces share, the one that the point is more above tells the side
+            nearer |= (off <= distance[rows] + _SAME) & (np.abs(high) > np.abs(height[rows]))
+            rows = rows[nearer]
+            distance[rows], height[rows], at[rows] = off[nearer], high[nearer], uv[nearer]
+            outside[rows] = np.isin(on_rim[nearer], free)
+        if progress is not None and not progress.update(number / len(faces), None):
+            break
+    return Deviation(np.where(height < 0.0, -distance, distance), outside, (at[:, 0], at[:, 1]))
+
+
+def write_deviations(points: ArrayLike, deviation: Deviation, path: str | PathLike[str]) -> None:
+    """Write points, their deviations, and whether they count, as a .csv table.
+
+    Parameters
+    ----------
+    points : (n, 3) mm
+    deviation : Deviation of these points
+    path : of the file
+    """
+    with Path(path).open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(["x_mm", "y_mm", "z_mm", "deviation_mm", "beyond_rim"])
+        rows = zip(np.asarray(points), deviation.deviation, deviation.outside, strict=True)
+        for place, value, beyond in rows:
+            writer.writerow([*(f"{x:.6f}" for x in (*place, value)), int(beyond)])
+
+
+def _may_be_nearer(points: np.ndarray, face: Any, so_far: np.ndarray) -> np.ndarray:
+    """Rows of the points that are nearer to the face's box than to the faces before."""
+    box = face.BoundBox
+    low = np.array([box.XMin, box.YMin, box.ZMin])
+    high = np.array([box.XMax, box.YMax, box.ZMax])
+    apart = np.maximum(np.maximum(low - points, points - high), 0.0)
+    return np.flatnonzero(np.linalg.norm(apart, axis=1) < so_far)

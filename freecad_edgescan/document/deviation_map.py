@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parametric deviation map: a cloud's points in the colours of their distances from a shape.
+
+The name of this module and of `DeviationMapProxy` are written into users' files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import FreeCAD
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..cloud import compensate_cloud
+from .bridge import kernel_from_array, origin_of
+from .cloud_cache import cloud_checksum, point_cloud
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, result
+from .declared_properties import Declared, Role
+from .deviation_from_shape import shape_deviation
+from .linked_geometry import require_cloud, require_shape
+from .native_surface import surface_of
+
+__all__ = ["DeviationMapProxy", "deviation_colours", "make_deviation_map"]
+
+_BINS = 61
+_FULL = 99.5  # percent of the absolute deviations that the colours tell apart
+
+# Blue to white to red, as far apart for those who tell few colours.
+_STOPS = np.array([(0.02, 0.19, 0.38), (0.26, 0.58, 0.76), (0.97, 0.97, 0.97)])
+_STOPS = np.concatenate([_STOPS, [(0.84, 0.38, 0.30), (0.40, 0.0, 0.12)]])
+
+
+def _hidden(kind: str, name: str, tooltip: str) -> Declared:
+    return Declared(kind, name, "Map", tooltip, Role.HIDDEN_RESULT)
+
+
+_PROPERTIES = (
+    Declared("LinkGlobal", "Cloud", "Deviation", "The cloud whose points are measured"),
+    Declared("LinkGlobal", "Surface", "Deviation", "A surface or any other shape with faces"),
+    Declared(
+        "Distance", "Reach", "Deviation", "Points farther from the shape are left out; 0: none is"
+    ),
+    Declared(
+        "Distance",
+        "Limit",
+        "Deviation",
+        "Deviation of the strongest colours; 0: 99.5 % of all deviations are below",
+    ),
+    result("Length", "Average", "Mean absolute deviation"),
+    result("Length", "Maximum", "Largest absolute deviation"),
+    result("Length", "RootMeanSquare", "Root mean square deviation"),
+    result("Distance", "Mean", "Mean deviation, signed"),
+    result("Integer", "PointCount", "Number of points that were measured"),
+    result("Length", "LimitUsed", "Deviation of the strongest colours"),
+    _hidden("FloatList", "Deviations", "Of each point, mm, positive on the normal's side"),
+    _hidden("ColorList", "Color", "Of each point"),
+    _hidden("IntegerList", "Histogram", "Numbers of points in equal steps from -Limit to Limit"),
+    MESSAGE,
+    ORIGIN,
+)
+
+
+def make_deviation_map(
+    doc: Any,
+    cloud: Any,
+    surface: Any,
+    reach: float = 3.0,
+    limit: float = 0.0,
+    name: str = "DeviationMap",
+) -> Any:
+    """Make a map of how far a cloud is from a surface; `doc.recompute()` measures it.
+
+    Parameters
+    ----------
+    doc : App.Document
+    cloud : Points::Feature; of centres of a probe the touched points are taken
+    surface : object with faces: a fitted surface, or any part
+    reach : mm, from the surface; points farther off, or beyond its free rim, are left out;
+        0: no point is too far
+    limit : mm, deviation of the strongest colours; 0: 99.5 % of all deviations are below
+    name : of the object
+
+    Returns
+    -------
+    Points::FeaturePython with the measured points, their Deviations, and their Color.
+
+    Raises
+    ------
+    ValueError: no cloud, a surface without a shape, or a negative reach or limit.
+    """
+    require_cloud(cloud)
+    require_shape("surface", [surface])
+    for what, value in (("reach", reach), ("limit", limit)):
+        if not value >= 0.0:
+            raise ValueError(f"The {what} is {value} mm; give 0 or a positive length.")
+    obj = doc.addObject("Points::FeaturePython", name)
+    DeviationMapProxy(obj)
+    obj.Cloud, obj.Surface = cloud, surface
+    obj.Reach, obj.Limit = float(reach), float(limit)
+    return obj
+
+
+class DeviationMapProxy(ComputedProxy):
+    """What makes the object measure."""
+
+    PROPERTIES = _PROPERTIES
+
+    def is_empty(self, obj: Any) -> bool:
+        """Whether it has no points."""
+        return int(obj.Points.CountPoints) == 0
+
+    def depends_on(self, obj: Any) -> Iterable[object]:
+        """Cloud, all faces of the surface, reach and limit."""
+        if obj.Cloud is None or obj.Surface is None:
+            raise ValueError("A cloud or surface is missing; choose it, or undo its deletion.")
+        yield cloud_checksum(obj.Cloud)
+        shape = obj.Surface.Shape
+        for face in [] if shape.isNull() else shape.Faces:
+            yield surface_of(face)
+            yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
+        yield from (obj.Reach.Value, obj.Limit.Value)
+
+    def compute(self, obj: Any) -> None:
+        """Measure."""
+        cloud = point_cloud(obj.Cloud)
+        points = (compensate_cloud(cloud) if cloud.probe_radius > 0.0 else cloud).points
+        found = shape_deviation(points, obj.Surface.Shape)
+        kept = ~found.outside
+        if obj.Reach.Value > 0.0:
+            kept &= np.abs(found.deviation) <= obj.Reach.Value
+        if not kept.any():
+            raise ValueError(
+                f"No point of the cloud {obj.Cloud.Label!r} lies within {obj.Reach.Value:g} mm of "
+                f"{obj.Surface.Label!r}; choose another one, or a larger reach."
+            )
+        values = found.deviation[kept]
+        limit = obj.Limit.Value or float(np.percentile(np.abs(values), _FULL)) or 1e-3
+        placement = obj.Placement
+        obj.Points = kernel_from_array(points[kept])
+        obj.Placement = placement
+        obj.Color = [tuple(row) for row in deviation_colours(values, limit).tolist()]
+        obj.Deviations = values.tolist()
+        counts, _ = np.histogram(np.clip(values, -limit, limit), _BINS, (-limit, limit))
+        obj.Histogram = counts.tolist()
+        obj.Average, obj.Maximum = float(np.abs(values).mean()), float(np.abs(values).max())
+        obj.RootMeanSquare = float(np.sqrt(np.mean(values**2)))
+        obj.Mean, obj.LimitUsed, obj.PointCount = float(values.mean()), limit, len(values)
+        left = len(points) - len(values)
+        obj.Message = f"{left} points beyond the rim or the reach were left out." if left else ""
+        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+
+
+def deviation_colours(deviation: ArrayLike, limit: float) -> NDArray[np.float64]:
+    """Colours (n, 3), red, green and blue from 0 to 1, of deviations (n,), mm.
+
+    White is none; blue is negative and red positive, dark from the limit, mm, on.
+    """
+    share = np.clip(np.asarray(deviation, dtype=float) / limit, -1.0, 1.0)
+    at = np.linspace(-1.0, 1.0, len(_STOPS))
+    return np.column_stack([np.interp(share, at, own) for own in _STOPS.T])

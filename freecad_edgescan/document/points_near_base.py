@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The points of a cloud object to which a surface is fitted."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..experiments.compensated_segment import compensated_segment
+from ..geometry import BSplineSurface
+from .cloud_cache import point_cloud
+
+__all__ = ["points_near_base"]
+
+
+def points_near_base(cloud: Any, base: BSplineSurface, distance: float) -> NDArray[np.float64]:
+    """Points (n, 3) of a cloud object that belong to a base surface, document coordinates, mm.
+
+    Parameters
+    ----------
+    cloud : Points::Feature; of a cloud segment all points are taken, of any other those nearer to
+        the base surface than the distance, after they were moved onto the part
+    base : BSplineSurface
+    distance : mm
+
+    Raises
+    ------
+    ValueError: nothing is linked, a segment of probe centres, or a distance that is not positive.
+    """
+    if cloud is None:
+        raise ValueError("There is no cloud; choose one, or undo its deletion.")
+    numbers = point_cloud(cloud)
+    if type(getattr(cloud, "Proxy", None)).__name__ == "CloudSegmentProxy":
+        if numbers.probe_radius > 0.0:
+            raise ValueError(
+                f"The segment {cloud.Label!r} holds centres of a probe; set its Compensated, so "
+                "that a surface can be fitted to it."
+            )
+        return numbers.points
+    if not distance > 0.0:
+        raise ValueError(
+            f"The distance is {distance:g} mm; give a positive one, within which points of the "
+            "cloud belong to the base surface."
+        )
+    points = compensated_segment(numbers, base, distance)
+    if len(points) == 0:
+        raise ValueError(
+            f"No point of the cloud {cloud.Label!r} lies within {distance:g} mm of the base "
+            "surface; choose another cloud, or a larger distance."
+        )
+    return points

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parametric intersection: all curves in which the surfaces of two objects meet.
+
+OpenCASCADE finds them. The name of this module and of `SurfaceIntersectionProxy` are written into
+users' files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any
+
+import FreeCAD
+import Part
+
+from .bridge import origin_of
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed, result
+from .declared_properties import Declared
+from .linked_geometry import require_shape
+from .native_surface import surface_of
+
+__all__ = ["SurfaceIntersectionProxy", "make_surface_intersection"]
+
+_PROPERTIES = (
+    Declared("LinkGlobal", "First", "Intersection", "A surface or any other shape with faces"),
+    Declared("LinkGlobal", "Second", "Intersection", "What meets it"),
+    Declared("Distance", "Tolerance", "Intersection", "Of the curves from both surfaces"),
+    result("Integer", "CurveCount", "Number of curves"),
+    result("Length", "Length", "Length of all curves"),
+    MESSAGE,
+    ORIGIN,
+)
+
+
+def make_surface_intersection(
+    doc: Any, first: Any, second: Any, tolerance: float = 1e-3, name: str = "SurfaceIntersection"
+) -> Any:
+    """Make the curves in which two objects' surfaces meet; `doc.recompute()` finds them.
+
+    Parameters
+    ----------
+    doc : App.Document
+    first, second : two different objects with faces
+    tolerance : mm, of the curves from both surfaces
+    name : of the object
+
+    Returns
+    -------
+    Part::FeaturePython whose Shape is one edge or wire, or a compound of wires, the longest first.
+
+    Raises
+    ------
+    ValueError: the same object twice, one without a shape, or a tolerance that is not positive.
+    """
+    require_shape("surface", [first, second])
+    if first is second:
+        raise ValueError(f"Both surfaces are {first.Label!r}; choose two different objects.")
+    if not tolerance > 0.0:
+        raise ValueError(f"The tolerance is {tolerance} mm; give a positive length.")
+    obj = doc.addObject("Part::FeaturePython", name)
+    SurfaceIntersectionProxy(obj)
+    obj.First, obj.Second, obj.Tolerance = first, second, float(tolerance)
+    return obj
+
+
+class SurfaceIntersectionProxy(ComputedProxy):
+    """What makes the object intersect."""
+
+    PROPERTIES = _PROPERTIES
+
+    def depends_on(self, obj: Any) -> Iterable[object]:
+        """All faces of both, and the tolerance."""
+        for face in (*_faces(obj.First), *_faces(obj.Second)):
+            yield surface_of(face)
+            yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
+        yield obj.Tolerance.Value
+
+    def compute(self, obj: Any) -> None:
+        """Intersect."""
+        first, second = (Part.Compound(_faces(own)) for own in (obj.First, obj.Second))
+        section = first.section([second], obj.Tolerance.Value)
+        wires = (
+            [Part.Wire(chain) for chain in Part.sortEdges(section.Edges)] if section.Edges else []
+        )
+        if not wires:
+            raise ValueError(
+                f"{obj.First.Label!r} and {obj.Second.Label!r} do not meet; extend one of them, or "
+                "choose others."
+            )
+        wires.sort(key=lambda wire: -float(wire.Length))
+        shape = wires[0] if len(wires) == 1 else Part.Compound(wires)
+        shape = shape.Edges[0] if len(shape.Edges) == 1 else shape
+        shape.Placement = obj.Placement.multiply(shape.Placement)
+        obj.Shape = shape
+        obj.CurveCount = len(wires)
+        obj.Length = sum(float(wire.Length) for wire in wires)
+        obj.Message = ""
+        obj.Origin = FreeCAD.Vector(*origin_of(obj.First))
+        mark_as_computed(obj)
+
+
+def _faces(obj: Any) -> list[Any]:
+    if obj is None:
+        raise ValueError("A surface is missing; choose one, or undo its deletion.")
+    faces = [] if obj.Shape.isNull() else obj.Shape.Faces
+    if not faces:
+        raise ValueError(f"{obj.Label!r} has no face; recompute the document, or choose another.")
+    return list(faces)

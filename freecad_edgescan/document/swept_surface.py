@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parametric swept surface: it follows its rails and profiles, and is fitted to a cloud.
+
+The name of this module and of `SweptSurfaceProxy` are written into users' files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import FreeCAD
+import numpy as np
+
+from ..scanning import Progress
+from ..surfacing import (
+    SweepModel,
+    SweptFit,
+    SweptSurface,
+    compare_sweep_models,
+    fit_swept_surface,
+    sweep_kinds,
+)
+from .bridge import origin_of
+from .cloud_cache import cloud_checksum
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed, result
+from .declared_properties import Declared
+from .fit_numbers import FIT_RESULTS, write_fit_numbers
+from .linked_geometry import linked_curve, require_cloud, require_shape
+from .native_surface import surface_shape
+from .points_near_base import points_near_base
+
+__all__ = ["SweptSurfaceProxy", "fit_sweep_again", "make_swept_surface", "write_sweep"]
+
+BETTER = "better"
+MODELS = (BETTER, *(str(model.value) for model in SweepModel))
+
+_PROPERTIES = (
+    Declared("LinkListGlobal", "Rails", "Sweep", "One or two curves along which profiles move"),
+    Declared(
+        "LinkListGlobal", "Profiles", "Sweep", "Curves from the first rail to the second, in order"
+    ),
+    Declared(
+        "Enumeration",
+        "Model",
+        "Sweep",
+        "How a profile changes: blend moves and blends it, rotate turns it with the rails, better "
+        "is the one that explains the cloud better (rotate without a cloud)",
+        choices=MODELS,
+    ),
+    Declared("Distance", "LargestGap", "Sweep", "How far a profile may end beside its rail"),
+    Declared(
+        "Distance", "Tolerance", "Sweep", "Of the surface from the exact sweep, without a cloud"
+    ),
+    Declared("LinkGlobal", "Cloud", "Fit", "Cloud or segment the sweep is fitted to, or nothing"),
+    Declared(
+        "Distance",
+        "Distance",
+        "Fit",
+        "Points of a whole cloud nearer than this to the sweep belong to it; all of a segment do",
+    ),
+    Declared("Integer", "RailPoles", "Fit", "Control points of each fitted rail"),
+    Declared("Integer", "ProfilePoles", "Fit", "Control points of each fitted profile"),
+    result("String", "ModelUsed", "The model of the surface"),
+    result("StringList", "Kinds", "What the sweep is besides: ruled, extrusion, revolution, pipe"),
+    *FIT_RESULTS,
+    MESSAGE,
+    ORIGIN,
+)
+
+
+def make_swept_surface(
+    doc: Any,
+    rails: Sequence[Any],
+    profiles: Sequence[Any],
+    cloud: Any = None,
+    model: str = BETTER,
+    control_points: tuple[int, int] = (14, 7),
+    distance: float = 3.0,
+    name: str = "SweptSurface",
+) -> Any:
+    """Make a surface swept by profiles along rails; `doc.recompute()` computes it.
+
+    Parameters
+    ----------
+    doc : App.Document
+    rails : one or two objects whose edges form a curve, such as scanned edges
+    profiles : objects with a curve from the first rail to the second, in order
+    cloud : Points::Feature the sweep is fitted to; None: it goes through rails and profiles
+    model : "blend", "rotate", or "better": the one that explains the cloud better
+    control_points : of the fitted rails and of the fitted profiles
+    distance : mm, from the sweep, within which points of a whole cloud belong to it
+    name : of the object
+
+    Returns
+    -------
+    Part::FeaturePython whose Shape is one B-spline face.
+
+    Raises
+    ------
+    ValueError: objects without a shape, no cloud, or an unknown model; nothing is made then.
+    """
+    rails, profiles = list(rails), list(profiles)
+    require_shape("rail", rails)
+    require_shape("profile", profiles)
+    if cloud is not None:
+        require_cloud(cloud)
+    if model not in MODELS:
+        raise ValueError(f"There is no sweep model {model!r}; choose {', '.join(MODELS)}.")
+    obj = doc.addObject("Part::FeaturePython", name)
+    SweptSurfaceProxy(obj)
+    obj.Rails, obj.Profiles, obj.Cloud = rails, profiles, cloud
+    obj.Model = str(model)
+    obj.RailPoles, obj.ProfilePoles = (int(count) for count in control_points)
+    obj.Distance = float(distance)
+    return obj
+
+
+class SweptSurfaceProxy(ComputedProxy):
+    """What makes the object sweep and fit."""
+
+    PROPERTIES = _PROPERTIES
+
+    def __init__(self, obj: Any) -> None:
+        super().__init__(obj)
+        obj.LargestGap, obj.Tolerance, obj.Distance = 1.0, 1e-3, 3.0
+        obj.RailPoles, obj.ProfilePoles = 14, 7
+
+    def depends_on(self, obj: Any) -> Iterable[object]:
+        """Rails, profiles and cloud, and how they are swept and fitted."""
+        yield from (linked_curve(rail, "rail") for rail in obj.Rails)
+        yield from (linked_curve(profile, "profile") for profile in obj.Profiles)
+        yield from (len(obj.Rails), obj.Model, obj.LargestGap.Value)
+        if obj.Cloud is None:
+            yield obj.Tolerance.Value
+        else:
+            yield cloud_checksum(obj.Cloud)
+            yield from (obj.Distance.Value, obj.RailPoles, obj.ProfilePoles)
+
+    def compute(self, obj: Any) -> None:
+        """Sweep, and fit when there is a cloud."""
+        write_sweep(obj, fit_sweep_again(obj))
+
+
+def fit_sweep_again(obj: Any, progress: Progress | None = None) -> SweptFit | SweptSurface:
+    """Sweep with an object's present inputs, and fit when it has a cloud; the object stays.
+
+    Raises
+    ------
+    ValueError: it cannot be done; the text says why.
+    """
+    rails = tuple(linked_curve(rail, "rail") for rail in obj.Rails)
+    profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
+    both = obj.Model == BETTER
+    model = SweepModel.ROTATE if both else SweepModel(obj.Model)
+    base = SweptSurface(rails, profiles, model, largest_gap=obj.LargestGap.Value)
+    if obj.Cloud is None:
+        return base
+    points = points_near_base(obj.Cloud, base.to_bspline(1e-2), obj.Distance.Value)
+    poles = (int(obj.RailPoles), int(obj.ProfilePoles))
+    if both and len(base.profiles) == 2 and len(base.rails) == 2:
+        return next(iter(compare_sweep_models(points, base, poles, progress).values()))
+    return fit_swept_surface(points, base, poles, progress)
+
+
+def write_sweep(obj: Any, found: SweptFit | SweptSurface) -> None:
+    """Write a sweep made with the object's present inputs; the next recompute has nothing to do."""
+    if isinstance(found, SweptFit):
+        sweep, surface, message = found.sweep, found.surface, found.message
+        write_fit_numbers(obj, found)
+        tolerance = max(3.0 * found.rms, 1e-3)
+    else:
+        sweep, surface, message = found, found.to_bspline(obj.Tolerance.Value), found.message
+        write_fit_numbers(obj, None)
+        tolerance = max(obj.Tolerance.Value, 1e-3)
+    shape = surface_shape(surface)
+    shape.Placement = obj.Placement
+    obj.Shape = shape
+    obj.Message = message
+    if sweep is not None:
+        obj.ModelUsed = str(sweep.model.value)
+        obj.Kinds = [str(kind.value) for kind in sweep_kinds(sweep, tolerance)]
+    origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
+    obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))
+    mark_as_computed(obj)

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How surfaces, sections, segments and deviation maps look in the tree and in the 3D view."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from .icons import icon_path
+
+__all__ = ["ViewProviderComputed"]
+
+_ICONS = {
+    "SweptSurfaceProxy": "EdgeScan_SweptSurface",
+    "FittedSurfaceProxy": "EdgeScan_FittedSurface",
+    "ExtendedSurfaceProxy": "EdgeScan_ExtendSurface",
+    "SurfaceIntersectionProxy": "EdgeScan_IntersectSurfaces",
+    "CloudSegmentProxy": "EdgeScan_CloudSegment",
+    "CloudSectionProxy": "EdgeScan_CloudSection",
+    "DeviationMapProxy": "EdgeScan_DeviationMap",
+}
+_POINT_SIZE = 3.0
+
+
+class ViewProviderComputed:
+    """View provider of such an object. It keeps no state: everything lives in properties.
+
+    The name of this class and of its module are written into users' files.
+    """
+
+    def __init__(self, view_object: Any) -> None:
+        view_object.Proxy = self
+        self.attach(view_object)
+        if hasattr(view_object, "PointSize"):
+            view_object.PointSize = _POINT_SIZE
+
+    def attach(self, view_object: Any) -> None:
+        """FreeCAD shows the object for the first time; it draws shape and points itself."""
+        self.object = view_object.Object
+
+    def updateData(self, obj: Any, name: str) -> None:
+        """A map shows its colours as soon as it has them; points have no mode of their own."""
+        if name in ("Color", "Points") and type(getattr(obj, "Proxy", None)).__name__ in _ICONS:
+            _show_points(obj.ViewObject, coloured=hasattr(obj, "Color"))
+
+    def getIcon(self) -> str:
+        """Icon in the tree."""
+        return icon_path(_ICONS[type(self.object.Proxy).__name__])
+
+    def dumps(self) -> None:
+        """Nothing to write into the file."""
+        return None
+
+    def loads(self, state: object) -> None:
+        """Nothing to read from the file."""
+
+    # FreeCAD before 0.21.2 asks for these instead.
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def _show_points(view_object: Any, coloured: bool) -> None:
+    modes = view_object.listDisplayModes()
+    wanted = "Color" if coloured and "Color" in modes else "Points"
+    if wanted in modes:
+        view_object.DisplayMode = wanted

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Swept surfaces as objects: they follow their rails, are fitted, and survive their file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+FreeCAD = pytest.importorskip("FreeCAD")
+Part = pytest.importorskip("Part")
+
+from freecad_edgescan import document  # noqa: E402
+from freecad_edgescan.document.native_surface import surface_of  # noqa: E402
+
+V = FreeCAD.Vector
+NOISE = 0.05
+
+
+def feature(doc: Any, shape: Any, name: str) -> Any:
+    made = doc.addObject("Part::Feature", name)
+    made.Shape = shape
+    return made
+
+
+def arc(x: float, radius: float) -> Any:
+    return Part.Arc(V(x, radius, 0), V(x, 0, -radius), V(x, -radius, 0)).toShape()
+
+
+def half_pipe(doc: Any, length: float = 60.0, radius: float = 17.0) -> tuple[list, list]:
+    """Rails and profiles of half a cylinder along x, open upwards."""
+    rails = [
+        feature(doc, Part.LineSegment(V(0, y, 0), V(length, y, 0)).toShape(), "Rail")
+        for y in (radius, -radius)
+    ]
+    return rails, [feature(doc, arc(x, radius), "Profile") for x in (0.0, length)]
+
+
+def on_half_pipe(count: int, radius: float, seed: int = 0) -> np.ndarray:
+    rng = np.random.default_rng(seed)
+    angle = rng.uniform(0.02, np.pi - 0.02, count)
+    x = rng.uniform(0.5, 59.5, count)
+    points = np.column_stack([x, radius * np.cos(angle), -radius * np.sin(angle)])
+    return points + rng.uniform(-NOISE, NOISE, points.shape)
+
+
+def test_a_sweep_between_arcs_is_the_cylinder(doc: Any) -> None:
+    swept = document.make_swept_surface(doc, *half_pipe(doc))
+    assert swept.Shape.isNull()
+    doc.recompute()
+    surface = surface_of(swept.Shape)
+    points = surface.evaluate(np.linspace(0, 1, 20)[:, None], np.linspace(0, 1, 30))
+    assert np.allclose(np.hypot(points[..., 1], points[..., 2]), 17.0, atol=2e-3)
+    assert swept.ModelUsed == "rotate" and swept.PointCount == 0
+    assert set(swept.Kinds) == {"pipe", "extrusion"}
+
+
+def test_a_fitted_sweep_says_how_well_and_by_which_model(doc: Any) -> None:
+    cloud = document.make_cloud(doc, on_half_pipe(3000, 17.2))
+    swept = document.make_swept_surface(doc, *half_pipe(doc), cloud, control_points=(6, 7))
+    doc.recompute()
+    assert swept.State == [] or "Up-to-date" in swept.State
+    assert swept.Average.Value < 1.3 * 0.025 and swept.Maximum.Value < 0.2
+    assert swept.PointCount + swept.OutsideCount <= 3000
+    assert swept.ModelUsed in ("blend", "rotate")
+    assert "explains the points better" in swept.Message
+    points = surface_of(swept.Shape).evaluate(0.5, np.linspace(0.02, 0.98, 30))
+    assert np.allclose(np.hypot(points[:, 1], points[:, 2]), 17.2, atol=0.03)
+
+
+def test_a_file_reopens_and_recomputes_without_change(doc: Any, tmp_path: Path) -> None:
+    cloud = document.make_cloud(doc, on_half_pipe(1500, 17.1), name="Cloud")
+    swept = document.make_swept_surface(
+        doc, *half_pipe(doc), cloud, model="rotate", control_points=(6, 6)
+    )
+    doc.recompute()
+    before = (swept.InputHash, swept.Average.Value, surface_of(swept.Shape).poles)
+    file = tmp_path / "swept.FCStd"
+    doc.saveAs(str(file))
+    name = swept.Name
+    FreeCAD.closeDocument(doc.Name)
+    again = FreeCAD.openDocument(str(file))
+    try:
+        restored = again.getObject(name)
+        brep = restored.Shape.exportBrepToString()
+        for item in again.Objects:
+            item.touch()
+        again.recompute()
+        assert restored.InputHash == before[0]
+        assert restored.Average.Value == pytest.approx(before[1], rel=1e-12)
+        assert restored.Shape.exportBrepToString() == brep
+        assert np.allclose(surface_of(restored.Shape).poles, before[2], atol=1e-9)
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
+def test_the_surface_follows_a_rail_that_moves(doc: Any) -> None:
+    rails, profiles = half_pipe(doc)
+    swept = document.make_swept_surface(doc, rails, profiles)
+    doc.recompute()
+    area = swept.Shape.Area
+    rails[0].Shape = Part.LineSegment(V(0, 17, 0), V(60, 17.6, 0.4)).toShape()
+    doc.recompute()
+    assert swept.Shape.Area != pytest.approx(area, rel=1e-4)
+    corner = surface_of(swept.Shape).evaluate(1.0, 0.0)
+    assert np.allclose(corner, (60, 17.6, 0.4), atol=1e-6)
+
+
+def test_a_step_file_reopens_with_the_same_area(doc: Any, tmp_path: Path) -> None:
+    swept = document.make_swept_surface(doc, *half_pipe(doc))
+    doc.recompute()
+    document.export_step([swept], tmp_path / "swept.step")
+    read = Part.Shape()
+    read.read(str(tmp_path / "swept.step"))
+    assert read.Area == pytest.approx(swept.Shape.Area, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "spoil, words",
+    [
+        ("gap", "Profiles and rails do not meet. Gaps at the first and second rail"),
+        ("closed", "is closed"),
+        ("crossing", "rails meet or cross near"),
+        ("one profile", "needs 2 or more profiles, not 1"),
+        ("few points", "need at least"),
+        ("far cloud", "No point of the cloud"),
+    ],
+)
+def test_what_cannot_be_swept_says_why_and_keeps_the_last_shape(
+    doc: Any, spoil: str, words: str
+) -> None:
+    rails, profiles = half_pipe(doc)
+    swept = document.make_swept_surface(doc, rails, profiles)
+    doc.recompute()
+    area = swept.Shape.Area
+    if spoil == "gap":
+        profiles[1].Shape = arc(66.0, 17.0)
+    elif spoil == "closed":
+        rails[0].Shape = Part.Circle(V(0, 0, 0), V(0, 0, 1), 17).toShape()
+    elif spoil == "crossing":
+        rails[0].Shape = Part.LineSegment(V(0, 17, 0), V(60, -50, 0)).toShape()
+        swept.LargestGap = 100.0
+    elif spoil == "one profile":
+        swept.Profiles = profiles[:1]
+    elif spoil == "few points":
+        swept.Cloud = document.make_cloud(doc, on_half_pipe(30, 17.0))
+    elif spoil == "far cloud":
+        swept.Cloud = document.make_cloud(doc, on_half_pipe(300, 117.0))
+    doc.recompute()
+    assert "Invalid" in swept.State
+    assert words in swept.Message
+    assert swept.Shape.Area == pytest.approx(area)
+
+
+def test_wrong_arguments_make_nothing(doc: Any) -> None:
+    rails, profiles = half_pipe(doc)
+    count = len(doc.Objects)
+    with pytest.raises(ValueError, match="no sweep model 'twist'"):
+        document.make_swept_surface(doc, rails, profiles, model="twist")
+    with pytest.raises(ValueError, match="is not a point cloud"):
+        document.make_swept_surface(doc, rails, profiles, rails[0])
+    with pytest.raises(ValueError, match="The rail 'x' has no shape"):
+        document.make_swept_surface(doc, ["x"], profiles)
+    assert len(doc.Objects) == count
