@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from .local_quadrics import FLAT, LocalQuadrics, local_quadrics
-from .point_cloud import PointCloud
+from .point_cloud import FEWEST_POINTS, PointCloud
 
 __all__ = ["cloud_quadrics", "local_normals", "normals_held", "scatter_of"]
 
@@ -42,8 +42,18 @@ def local_normals(cloud: PointCloud, within: NDArray[np.bool_]) -> Array:
 def cloud_quadrics(
     cloud: PointCloud, reach: float, within: NDArray[np.bool_] | None = None
 ) -> LocalQuadrics:
-    """Quadrics over neighbourhoods of at least a reach, mm, among all points or some (n,) bool."""
+    """Quadrics over neighbourhoods of at least a reach, mm, among all points or some (n,) bool.
+
+    Raises
+    ------
+    ValueError: a cloud without a surface.
+    """
     pitch = cloud.pitch
+    if not (len(cloud) >= FEWEST_POINTS and pitch > 0.0):  # nan is not
+        raise ValueError(
+            f"The {len(cloud)} points of the cloud are too few, or too much alike, to have local "
+            f"normals; give {FEWEST_POINTS} or more of a surface."
+        )
     reach = max(reach, float(np.sqrt(NEIGHBOURS / np.pi)) * pitch)
     neighbours = min(int(np.pi * (reach / pitch) ** 2) + 1, MOST_NEIGHBOURS)
     return local_quadrics(cloud.tree, reach, neighbours, within)

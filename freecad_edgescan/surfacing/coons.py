@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ..geometry import BSplineCurve, BSplineSurface
 from ..geometry.knot_vectors import merged_knots
 from ..geometry.surface_approximation import approximated_surface
+from .sweep_joints import refuse_crossing
 
 __all__ = ["coons_surface"]
 
@@ -46,7 +47,8 @@ def coons_surface(
 
     Raises
     ------
-    ValueError: not four edges, one that is closed, or ends that do not meet, with the gaps.
+    ValueError: not four edges, one that is closed, ends that do not meet, with the gaps, or
+        opposite edges that cross.
     """
     if len(edges) != 4:
         raise ValueError(
@@ -69,6 +71,8 @@ def coons_surface(
         )
     first, right, last, left = loop
     sides = [first, last.reversed(), left.reversed(), right]
+    for pair in (sides[:2], sides[2:]):
+        refuse_crossing(pair, "opposite edges")
     corners = np.stack(
         [
             [_middle(sides[0], 0, sides[2], 0), _middle(sides[2], 1, sides[1], 0)],

@@ -117,6 +117,11 @@ def cross_section(
     points_of(cloud)  # refuses probe centres
     cut = _cut(curve_of(edge), at, edge, towards)
     pitch = cloud.pitch
+    if not (len(cloud) >= _FEWEST and pitch > 0.0):  # nan is not
+        raise ValueError(
+            f"The {len(cloud)} points of the cloud are too few, or too much alike, for a profile; "
+            f"give a cloud of {_FEWEST} or more points on a surface."
+        )
     wanted = reach if reach is not None else (cut.span or _REACH * pitch)
     slab = thickness if thickness is not None else _THICKNESS * pitch
     while True:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..geometry import BSplineCurve
 
-__all__ = ["in_order"]
+__all__ = ["in_order", "refuse_crossing"]
 
 Array = NDArray[np.float64]
 
@@ -58,7 +58,7 @@ def in_order(
         if off[0][0] + off[1][1] > off[0][1] + off[1][0]:
             own_profiles[number] = profile.reversed()
             said.append(f"Profile {number + 1} was turned round.")
-    _refuse_crossing(own_rails)
+    refuse_crossing(own_rails, "rails")
     return tuple(own_rails), tuple(own_profiles), tuple(said)
 
 
@@ -82,8 +82,8 @@ def _gaps(rails: list[BSplineCurve], profiles: list[BSplineCurve]) -> float:
     return total
 
 
-def _refuse_crossing(rails: list[BSplineCurve]) -> None:
-    """Rails that come all but together anywhere leave no room for a profile."""
+def refuse_crossing(rails: Sequence[BSplineCurve], name: str) -> None:
+    """Two rails, or opposite edges, that all but meet anywhere leave no room between them."""
     points = rails[0].sample(200)
     u, width = rails[1].closest(points)
     point, usual = rails[1].evaluate(u[[np.argmin(width)]]), float(np.median(width))
@@ -94,6 +94,6 @@ def _refuse_crossing(rails: list[BSplineCurve]) -> None:
     if width[0] < 1e-3 * usual:
         where = ", ".join(f"{x:.3f}" for x in point[0])
         raise ValueError(
-            f"The rails meet or cross near ({where}); end them before, or choose rails beside "
+            f"The {name} meet or cross near ({where}); end them before, or choose {name} beside "
             "each other."
         )

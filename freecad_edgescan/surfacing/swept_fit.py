@@ -187,13 +187,21 @@ def _measured(
     deviation = signed_deviation(surface, given.points, u, v, distance)
     # rails move, and with them the rim
     outside = given.outside | beyond_the_rim(given.points, surface, u, v)
-    message = f"{said_of_outside(outside)} {sweep.message}".strip()
+    supported = _supported(surface, knots, u[~outside], v[~outside])
+    said = [said_of_outside(outside)]
+    missing = int((~supported).sum())
+    if missing:
+        said.append(
+            f"The cloud does not support {missing} of the surface's {supported.size} patches; "
+            "there the rest of the sweep decides."
+        )
+    message = " ".join([*said, sweep.message]).strip()
     return SweptFit(
         surface,
         deviation,
         (u, v),
         outside,
-        _supported(surface, knots, u[~outside], v[~outside]),
+        supported,
         message,
         sweep,
     )

@@ -165,3 +165,6 @@ def test_what_is_no_section_is_refused():
         es.cross_section(cloud, far, 0.5)
     with pytest.raises(ValueError, match="compensate_cloud"):
         es.cross_section(es.PointCloud(cloud.points, 1.0), rails[0], 0.5)
+    for few in (np.zeros((1, 3)), np.ones((30, 3))):
+        with pytest.raises(ValueError, match="too few, or too much alike, for a profile"):
+            es.cross_section(es.PointCloud(few), rails[0], 0.5)

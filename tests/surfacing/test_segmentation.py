@@ -60,3 +60,5 @@ def test_what_is_no_segment_is_refused(pipe):
         es.segment_cloud(cloud, pipe, -1)
     with pytest.raises(ValueError, match="not degrees"):
         es.segment_cloud(cloud, pipe, 3.0, angle=45)
+    with pytest.raises(ValueError, match="too few, or too much alike, to have local normals"):
+        es.segment_cloud(es.PointCloud([[30.0, 0, -17]]), pipe, 3.0, angle=0.5)

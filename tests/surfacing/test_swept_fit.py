@@ -127,3 +127,25 @@ def test_what_cannot_be_fitted_is_refused_with_numbers(pipe):
     one = es.SweptSurface(base.rails[:1], base.profiles[:1], "rotate")
     with pytest.raises(ValueError, match="Only sweeps along two rails"):
         es.fit_swept_surface(pipe.cloud(500), one)
+
+
+@pytest.mark.parametrize("model", ["blend", "rotate"])
+def test_a_segment_that_misses_a_quarter_is_said(model):
+    x = np.linspace(0, 60, 6)
+    knots = np.r_[[0.0] * 4, 0.3, 0.6, [1.0] * 4]
+    rails = [
+        es.BSplineCurve(np.stack([x, 0 * x + y, np.sin(x / 20)], axis=1), knots) for y in (0.0, 25)
+    ]
+    profiles = [
+        es.BSplineCurve(
+            [rails[0].evaluate(t), [60 * t, 12, -9], rails[1].evaluate(t)], [0, 0, 0, 1, 1, 1], 2
+        )
+        for t in (0.0, 1.0)
+    ]
+    sweep = es.SweptSurface(rails, profiles, model)
+    u, v = np.random.default_rng(0).random((2, 6000))
+    there = (u < 0.5) | (v < 0.5)
+    fit = es.fit_swept_surface(sweep.evaluate(u, v)[there], sweep, (8, 6))
+    assert "does not support" in fit.message
+    assert fit.supported.mean() == pytest.approx(0.75, abs=0.2)
+    assert fit.average < 0.02
