@@ -35,7 +35,7 @@ _POOLED = 4  # sections on each side that decide together
 _STRIDES = (8, 6, 4)  # sections from one decision to the next, first to last
 _POOLED_CURVATURE = 8
 _ALIKE = 6 * (2 * _POOLED + 1)  # sections over which what is left of a rounding is much the same
-_BY_CHANCE = 1.5  # times that what noise moves may be met by chance, on their average
+_BY_CHANCE = 2.0  # times that what noise moves may be met by chance, on their average
 _BESIDE = 5  # decisions that judge the one in their middle
 _LEAST_SEEN = 0.5  # of what they see, below which it is a stray
 # Of where the walk has seen a side begin. A single section rather runs into a rounding than that
