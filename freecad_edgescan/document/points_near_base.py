@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..experiments.compensated_segment import compensated_segment
 from ..geometry import BSplineSurface
+from ..surfacing.compensated_segment import compensated_segment
 from .cloud_cache import point_cloud
 
 __all__ = ["points_near_base"]

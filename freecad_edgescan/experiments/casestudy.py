@@ -20,8 +20,8 @@ from ..cloud import CoreBox, PointCloud, compensate_cloud, thin_cloud
 from ..geometry import BSplineCurve
 from ..scanning import Gate, Progress, ScannedEdge, Start, scan_edge
 from ..surfacing import SweepModel, SweptFit, SweptSurface, fit_swept_surface
+from ..surfacing.compensated_segment import compensated_segment
 from .casestudy_published import GRIDS, SEGMENT_DISTANCE, THINNED_PITCH
-from .compensated_segment import compensated_segment
 from .end_profile import end_profile
 from .true_wall import deviation_from_wall, surface_from_wall
 

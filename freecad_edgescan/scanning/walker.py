@@ -56,7 +56,7 @@ def walk(
     """
     stations = [first]
     home = behind[0] if behind else first
-    travelled = float(np.nansum([station.step for station in [*behind[1:], first][: len(behind)]]))
+    travelled = sum(station.step for station in [*behind, first][1:])
     teller = _Teller(progress, stations, known)
     while True:
         if len(stations) > limit:

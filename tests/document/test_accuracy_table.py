@@ -114,7 +114,7 @@ def test_two_planes_meet_in_the_edge_and_labels_lie_beside_it(monkeypatch) -> No
         (["--seeds", "0"], "give 1 or more"),
         (["--seeds", "3", "--parts", "x.step"], "leave --parts out"),
         (["--fillet", "1", "--wedges", "3"], "leave --fillet out"),
-        (["--fillet", "-1"], "give a positive radius"),
+        (["--fillet", "-1"], "give 0 or a positive radius"),
         (["--sharp"], "belongs to --wedges"),
     ],
 )

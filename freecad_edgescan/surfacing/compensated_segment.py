@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ..cloud import PartOfCloud, PointCloud, compensate_cloud
 from ..geometry import BSplineSurface
-from ..surfacing import segment_cloud
+from .segmentation import segment_cloud
 
 __all__ = ["compensated_segment"]
 
