@@ -19,10 +19,9 @@ from numpy.typing import NDArray
 from ..cloud import CoreBox, PointCloud, compensate_cloud, thin_cloud
 from ..geometry import BSplineCurve
 from ..scanning import Gate, Progress, ScannedEdge, Start, scan_edge
-from ..surfacing import SweepModel, SweptFit, SweptSurface, fit_swept_surface
+from ..surfacing import SweepModel, SweptFit, SweptSurface, cross_section, fit_swept_surface
 from ..surfacing.compensated_segment import compensated_segment
 from .casestudy_published import GRIDS, SEGMENT_DISTANCE, THINNED_PITCH
-from .end_profile import end_profile
 from .true_wall import deviation_from_wall, surface_from_wall
 
 __all__ = ["CaseStudy", "CaseStudyFit", "CaseStudyPipe", "casestudy_places", "run_casestudy"]
@@ -132,7 +131,7 @@ def run_casestudy(
     ------
     ValueError: a rim or profile of which the cloud holds too little.
     """
-    steps = _Steps(progress, 2.0 * len(box.pipes) + 3.0 + 4.0 * len(box.pipes) * len(grids))
+    steps = _Steps(progress, 2.0 * len(box.pipes) + 4.0 + 4.0 * len(box.pipes) * len(grids))
     edges = _scan_edges(cloud, box, steps)
     pipes = [] if steps.cancelled else _pipes(cloud, edges, box, thinned_pitch, steps)
     fitted = [_fitted(pipe, box, grids, steps) for pipe in pipes]
@@ -161,12 +160,13 @@ def _pipes(
     pipes = []
     with steps.step("rails"):
         curves = [edge.curve() for edge in edges]
-    with steps.step("profiles and base surfaces"):
         pairs = list(zip(curves[::2], curves[1::2], strict=True))
-        profiles = [_end_profiles(cloud, rails) for rails in pairs]
     with steps.step("compensate and segment"):
         compensated = compensate_cloud(cloud)
-        for number, (rails, own) in enumerate(zip(pairs, profiles, strict=True), 1):
+    with steps.step("profiles and base surfaces"):
+        framed = [_with_end_profiles(compensated, *rails) for rails in pairs]
+    with steps.step("compensate and segment"):
+        for number, (rails, own) in enumerate(framed, 1):
             base = SweptSurface(rails, own, SweepModel.ROTATE).to_bspline(1e-2)
             points = compensated_segment(cloud, base, SEGMENT_DISTANCE, compensated)
             thinned = thin_cloud(PointCloud(points), pitch).points
@@ -175,12 +175,17 @@ def _pipes(
     return pipes
 
 
-def _end_profiles(
-    cloud: PointCloud, rails: tuple[BSplineCurve, BSplineCurve]
-) -> tuple[BSplineCurve, BSplineCurve]:
-    ends = [rail.evaluate(np.array(rail.parameter_range)) for rail in rails]
-    first, last = (end_profile(cloud, ends[0][k], ends[1][k]) for k in (0, 1))
-    return first, last
+Pair = tuple[BSplineCurve, BSplineCurve]
+
+
+def _with_end_profiles(
+    cloud: PointCloud, first: BSplineCurve, second: BSplineCurve
+) -> tuple[Pair, Pair]:
+    """Two rails, the second one as long as the first, and the profiles at their ends."""
+    start, end = (cross_section(cloud, first, share, second).curve for share in (0.0, 1.0))
+    meets = [own.evaluate(np.array([own.parameter_range[1]]))[0] for own in (start, end)]
+    low, high = second.closest(np.array(meets))[0]
+    return (first, second.restricted(float(low), float(high))), (start, end)
 
 
 def _fitted(

@@ -41,15 +41,13 @@ def test_the_turning_sweep_of_a_small_pipe_is_near_its_true_wall(small):
         assert rotate.error.mean() < 0.03
         assert rotate.error.mean() < blend.error.mean()
         assert rotate.fit.average < 1.3 * pipe.noise.mean()
-    assert pipe.fit("rotate", (12, 6), False).error.max() < 0.2
-    # no thinned point holds the corner at the end of the inner rail: there it is 0.56 mm off
-    assert np.quantile(pipe.fit("rotate", (12, 6), True).error, 0.99) < 0.2
+        assert rotate.error.max() < 0.2
 
 
 def test_the_compensated_points_lie_on_the_wall_within_their_noise(small):
     (pipe,) = small[0].pipes
     assert pipe.noise.mean() < 0.03 and np.quantile(pipe.noise, 0.999) < 0.1
-    assert pipe.noise.max() < 0.2  # of a few that the ball touched beside the rim
+    assert pipe.noise.max() < 0.15  # of a point that the ball touched on the rim
     assert len(pipe.points) > 4000
 
 
@@ -60,7 +58,7 @@ def test_progress_grows_and_names_the_steps(small):
     assert {"rim 1", "rim 2", "compensate and segment", "pipe 1, rotate"} <= set(listener.tasks)
 
 
-@pytest.mark.parametrize("cancel_at, edges, fits", [(0.0, 1, 0), (0.67, 2, 1)])
+@pytest.mark.parametrize("cancel_at, edges, fits", [(0.0, 1, 0), (0.71, 2, 1)])
 def test_a_cancelled_study_keeps_what_it_has(cancel_at, edges, fits):
     box = CoreBox.small()
     study = run_casestudy(
