@@ -29,6 +29,8 @@ _EDGE = Look(
 _CLOUD = Look(colour=(0.75, 0.78, 0.80), transparency=80)
 _SEGMENT = Look(colour=(0.0, 0.45, 0.70), visible=False, view=_VIEW)
 _PROFILE = Look(colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), line_width=2.0)
+# Rails as scanned need not end opposite each other; the study's are cut to their common length.
+_LARGEST_GAP = 5.0  # mm
 _SURFACES = {
     "Base": Look(colour=(0.8, 0.8, 0.8), line_colour=(0.4, 0.4, 0.4), visible=False, view=_VIEW),
     "Rotate": Look(colour=(0.34, 0.71, 0.91), line_colour=(0.0, 0.2, 0.4), view=_VIEW),
@@ -73,7 +75,7 @@ def _make_surfaces(doc: Any, cloud: Any, rails: list[Any], pipe: CaseStudyPipe) 
         profile.Shape = curve_shape(curve)
         profiles.append(profile)
     base = make_swept_surface(doc, rails, profiles, model="rotate", name=f"Pipe{pipe.number}Base")
-    base.Tolerance = 1e-2
+    base.Tolerance, base.LargestGap = 1e-2, _LARGEST_GAP
     write_sweep(base, pipe.base(SweepModel.ROTATE))
     segment = make_cloud_segment(doc, cloud, base, name=f"Pipe{pipe.number}Points")
     write_segment(segment, pipe.points)
@@ -91,6 +93,7 @@ def _make_surfaces(doc: Any, cloud: Any, rails: list[Any], pipe: CaseStudyPipe) 
             whole[-1].grid,
             name=f"Pipe{pipe.number}{model.value.title()}",
         )
+        surface.LargestGap = _LARGEST_GAP
         write_sweep(surface, whole[-1].fit)
         if model is SweepModel.ROTATE:
             made.append(surface)

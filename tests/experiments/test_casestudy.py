@@ -79,16 +79,16 @@ def test_the_tables_hold_ours_and_the_published(small):
 def test_the_full_core_box_meets_the_promises_and_beats_the_published_table():
     box = CoreBox()
     cloud = box.cloud(0.5)
-    study = run_casestudy(cloud, box)
+    grid = GRIDS[-1]  # the command prints the other one, too
+    study = run_casestudy(cloud, box, grids=[grid])
     for pipe, exact in zip(study.pipes, box.pipes, strict=True):
         centres = cloud.points[cloud.labels == pipe.number]
         # the normal component of the noise that was added to the centres
         added = np.abs(deviation_from_wall(exact, centres) - box.probe_radius).mean()
-        for grid in GRIDS:
-            rotate = pipe.fit("rotate", grid, False)
-            assert rotate.error.mean() <= 0.03 and rotate.error.max() <= 0.2
-            assert rotate.fit.average <= 1.3 * added
-            average, maximum = PUBLISHED_ERRORS[pipe.number, grid]
-            for model in ("rotate", "blend"):
-                fit = pipe.fit(model, grid, True).fit
-                assert fit.average < average and fit.maximum < maximum
+        rotate = pipe.fit("rotate", grid, False)
+        assert rotate.error.mean() <= 0.03 and rotate.error.max() <= 0.2
+        assert rotate.fit.average <= 1.3 * added
+        average, maximum = PUBLISHED_ERRORS[pipe.number, grid]
+        for model in ("rotate", "blend"):
+            fit = pipe.fit(model, grid, True).fit
+            assert fit.average < average and fit.maximum < maximum
