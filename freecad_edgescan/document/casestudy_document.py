@@ -11,11 +11,12 @@ from ..scanning import Gate, Start
 from ..surfacing import SweepModel
 from .appearance import Look
 from .cloud_cache import point_cloud
-from .cloud_segment import make_cloud_segment, write_segment
+from .cloud_segment import make_cloud_segment
+from .computed_object import write_computed
 from .deviation_map import make_deviation_map
 from .native_curve import curve_shape
 from .scanned_edge import make_scanned_edge, write_result
-from .swept_surface import make_swept_surface, write_sweep
+from .swept_surface import make_swept_surface
 
 __all__ = ["casestudy_looks", "fill_document"]
 
@@ -76,9 +77,9 @@ def _make_surfaces(doc: Any, cloud: Any, rails: list[Any], pipe: CaseStudyPipe) 
         profiles.append(profile)
     base = make_swept_surface(doc, rails, profiles, model="rotate", name=f"Pipe{pipe.number}Base")
     base.Tolerance, base.LargestGap = 1e-2, _LARGEST_GAP
-    write_sweep(base, pipe.base(SweepModel.ROTATE))
+    write_computed(base, pipe.base(SweepModel.ROTATE))
     segment = make_cloud_segment(doc, cloud, base, name=f"Pipe{pipe.number}Points")
-    write_segment(segment, pipe.points)
+    write_computed(segment, pipe.points)
     made = []
     for model in SweepModel:
         whole = [own for own in pipe.fits if own.model == model and not own.thinned]
@@ -94,7 +95,7 @@ def _make_surfaces(doc: Any, cloud: Any, rails: list[Any], pipe: CaseStudyPipe) 
             name=f"Pipe{pipe.number}{model.value.title()}",
         )
         surface.LargestGap = _LARGEST_GAP
-        write_sweep(surface, whole[-1].fit)
+        write_computed(surface, whole[-1].fit)
         if model is SweepModel.ROTATE:
             made.append(surface)
             make_deviation_map(doc, segment, surface, name=f"Pipe{pipe.number}Deviations")

@@ -7,6 +7,7 @@ The name of this module and of `DeviationMapProxy` are written into users' files
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD
@@ -14,11 +15,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import compensate_cloud
+from ..cloud.progress import Stage
+from ..scanning import Progress
 from .bridge import kernel_from_array, origin_of
 from .cloud_cache import cloud_checksum, point_cloud
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, result
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared, Role
-from .deviation_from_shape import shape_deviation
+from .deviation_from_shape import MeasurableShape
 from .linked_geometry import require_cloud, require_shape
 from .native_surface import surface_of
 
@@ -122,34 +125,54 @@ class DeviationMapProxy(ComputedProxy):
             yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
         yield from (obj.Reach.Value, obj.Limit.Value)
 
-    def compute(self, obj: Any) -> None:
-        """Measure."""
-        cloud = point_cloud(obj.Cloud)
-        points = (compensate_cloud(cloud) if cloud.probe_radius > 0.0 else cloud).points
-        found = shape_deviation(points, obj.Surface.Shape)
-        kept = ~found.outside
-        if obj.Reach.Value > 0.0:
-            kept &= np.abs(found.deviation) <= obj.Reach.Value
-        if not kept.any():
-            raise ValueError(
-                f"No point of the cloud {obj.Cloud.Label!r} lies within {obj.Reach.Value:g} mm of "
-                f"{obj.Surface.Label!r}; choose another one, or a larger reach."
-            )
-        values = found.deviation[kept]
+    def task(self, obj: Any) -> Task:
+        """What measures the points: those within reach, and their deviations."""
+        cloud, shape = point_cloud(obj.Cloud), MeasurableShape(obj.Surface.Shape)
+        reach = obj.Reach.Value or np.inf
+        labels = obj.Cloud.Label, obj.Surface.Label
+
+        def measure(progress: Progress | None) -> Measured:
+            points = cloud.points
+            if cloud.probe_radius > 0.0:
+                points = compensate_cloud(cloud, progress and Stage(progress, 0.0, 0.5)).points
+            found = shape.deviation(points, progress and Stage(progress, 0.5, 1.0))
+            kept = ~found.outside & (np.abs(found.deviation) <= reach)
+            if not kept.any():
+                raise ValueError(
+                    f"No point of the cloud {labels[0]!r} lies within {reach:g} mm of "
+                    f"{labels[1]!r}; choose another one, or a larger reach."
+                )
+            measured = points[: len(kept)][kept]
+            return Measured(measured, found.deviation[kept], len(points) - len(measured))
+
+        return measure
+
+    def write(self, obj: Any, result: Measured) -> None:
+        """Write points, colours and figures."""
+        values = result.deviation
         limit = obj.Limit.Value or float(np.percentile(np.abs(values), _FULL)) or 1e-3
         placement = obj.Placement
-        obj.Points = kernel_from_array(points[kept])
+        obj.Points = kernel_from_array(result.points)
         obj.Placement = placement
-        obj.Color = [tuple(row) for row in deviation_colours(values, limit).tolist()]
         obj.Deviations = values.tolist()
         counts, _ = np.histogram(np.clip(values, -limit, limit), _BINS, (-limit, limit))
         obj.Histogram = counts.tolist()
         obj.Average, obj.Maximum = float(np.abs(values).mean()), float(np.abs(values).max())
         obj.RootMeanSquare = float(np.sqrt(np.mean(values**2)))
         obj.Mean, obj.LimitUsed, obj.PointCount = float(values.mean()), limit, len(values)
-        left = len(points) - len(values)
+        left = result.left_out
         obj.Message = f"{left} points beyond the rim or the reach were left out." if left else ""
         obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+        obj.Color = [tuple(row) for row in deviation_colours(values, limit).tolist()]
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """Points (n, 3), their deviations (n,), mm, and how many points were left out."""
+
+    points: NDArray[np.float64]
+    deviation: NDArray[np.float64]
+    left_out: int
 
 
 def deviation_colours(deviation: ArrayLike, limit: float) -> NDArray[np.float64]:

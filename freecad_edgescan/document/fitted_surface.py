@@ -11,18 +11,19 @@ from typing import Any
 
 import FreeCAD
 
+from ..cloud.progress import Stage
 from ..scanning import Progress
 from ..surfacing import SurfaceFit, fit_surface
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
 from .declared_properties import Declared
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
 
-__all__ = ["FittedSurfaceProxy", "fit_surface_again", "make_fitted_surface", "write_fit"]
+__all__ = ["FittedSurfaceProxy", "make_fitted_surface"]
 
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Fit", "Cloud or segment the surface is fitted to"),
@@ -105,36 +106,32 @@ class FittedSurfaceProxy(ComputedProxy):
         yield from (obj.Distance.Value, obj.Tolerance.Value)
         yield from (obj.PolesU, obj.PolesV, obj.DegreeU, obj.DegreeV)
 
-    def compute(self, obj: Any) -> None:
-        """Fit."""
-        write_fit(obj, fit_surface_again(obj))
+    def task(self, obj: Any) -> Task:
+        """What fits the surface."""
+        base = linked_surface(obj.Base, "base surface")
+        near = points_near_base(obj.Cloud, obj.Distance.Value)
+        automatic = obj.PolesU == 0 and obj.PolesV == 0
+        control_points = None if automatic else (int(obj.PolesU), int(obj.PolesV))
+        degree = int(obj.DegreeU), int(obj.DegreeV)
+        tolerance = obj.Tolerance.Value or None
 
+        def fit(progress: Progress | None) -> SurfaceFit:
+            return fit_surface(
+                near(base, progress and Stage(progress, 0.0, 0.5)),
+                base,
+                control_points,
+                degree,
+                tolerance=tolerance,
+                progress=progress and Stage(progress, 0.5, 1.0),
+            )
 
-def fit_surface_again(obj: Any, progress: Progress | None = None) -> SurfaceFit:
-    """Fit with an object's present inputs; the object stays as it is.
+        return fit
 
-    Raises
-    ------
-    ValueError: it cannot be done; the text says why.
-    """
-    base = linked_surface(obj.Base, "base surface")
-    automatic = obj.PolesU == 0 and obj.PolesV == 0
-    return fit_surface(
-        points_near_base(obj.Cloud, base, obj.Distance.Value),
-        base,
-        None if automatic else (int(obj.PolesU), int(obj.PolesV)),
-        (int(obj.DegreeU), int(obj.DegreeV)),
-        tolerance=obj.Tolerance.Value or None,
-        progress=progress,
-    )
-
-
-def write_fit(obj: Any, fit: SurfaceFit) -> None:
-    """Write a fit made with the object's present inputs; the next recompute has nothing to do."""
-    shape = surface_shape(fit.surface)
-    shape.Placement = obj.Placement
-    obj.Shape = shape
-    obj.Message = fit.message
-    write_fit_numbers(obj, fit)
-    obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
-    mark_as_computed(obj)
+    def write(self, obj: Any, result: SurfaceFit) -> None:
+        """Write surface and numbers."""
+        shape = surface_shape(result.surface)
+        shape.Placement = obj.Placement
+        obj.Shape = shape
+        obj.Message = result.message
+        write_fit_numbers(obj, result)
+        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))

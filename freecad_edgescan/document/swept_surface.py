@@ -12,6 +12,7 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
+from ..cloud.progress import Stage
 from ..scanning import Progress
 from ..surfacing import (
     SweepModel,
@@ -23,14 +24,14 @@ from ..surfacing import (
 )
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed, result
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
 
-__all__ = ["SweptSurfaceProxy", "fit_sweep_again", "make_swept_surface", "write_sweep"]
+__all__ = ["SweptSurfaceProxy", "make_swept_surface"]
 
 BETTER = "better"
 MODELS = (BETTER, *(str(model.value) for model in SweepModel))
@@ -137,49 +138,44 @@ class SweptSurfaceProxy(ComputedProxy):
             yield cloud_checksum(obj.Cloud)
             yield from (obj.Distance.Value, obj.RailPoles, obj.ProfilePoles)
 
-    def compute(self, obj: Any) -> None:
-        """Sweep, and fit when there is a cloud."""
-        write_sweep(obj, fit_sweep_again(obj))
+    def task(self, obj: Any) -> Task:
+        """What sweeps, and fits when there is a cloud."""
+        rails = tuple(linked_curve(rail, "rail") for rail in obj.Rails)
+        profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
+        both = obj.Model == BETTER
+        model = SweepModel.ROTATE if both else SweepModel(obj.Model)
+        gap = obj.LargestGap.Value
+        near = None if obj.Cloud is None else points_near_base(obj.Cloud, obj.Distance.Value)
+        poles = int(obj.RailPoles), int(obj.ProfilePoles)
 
+        def sweep(progress: Progress | None) -> SweptFit | SweptSurface:
+            base = SweptSurface(rails, profiles, model, largest_gap=gap)
+            if near is None:
+                return base
+            points = near(base.to_bspline(1e-2), progress and Stage(progress, 0.0, 0.5))
+            rest = progress and Stage(progress, 0.5, 1.0)
+            if both and len(base.profiles) == 2 and len(base.rails) == 2:
+                return next(iter(compare_sweep_models(points, base, poles, rest).values()))
+            return fit_swept_surface(points, base, poles, rest)
 
-def fit_sweep_again(obj: Any, progress: Progress | None = None) -> SweptFit | SweptSurface:
-    """Sweep with an object's present inputs, and fit when it has a cloud; the object stays.
+        return sweep
 
-    Raises
-    ------
-    ValueError: it cannot be done; the text says why.
-    """
-    rails = tuple(linked_curve(rail, "rail") for rail in obj.Rails)
-    profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
-    both = obj.Model == BETTER
-    model = SweepModel.ROTATE if both else SweepModel(obj.Model)
-    base = SweptSurface(rails, profiles, model, largest_gap=obj.LargestGap.Value)
-    if obj.Cloud is None:
-        return base
-    points = points_near_base(obj.Cloud, base.to_bspline(1e-2), obj.Distance.Value)
-    poles = (int(obj.RailPoles), int(obj.ProfilePoles))
-    if both and len(base.profiles) == 2 and len(base.rails) == 2:
-        return next(iter(compare_sweep_models(points, base, poles, progress).values()))
-    return fit_swept_surface(points, base, poles, progress)
-
-
-def write_sweep(obj: Any, found: SweptFit | SweptSurface) -> None:
-    """Write a sweep made with the object's present inputs; the next recompute has nothing to do."""
-    if isinstance(found, SweptFit):
-        sweep, surface, message = found.sweep, found.surface, found.message
-        write_fit_numbers(obj, found)
-        tolerance = max(3.0 * found.rms, 1e-3)
-    else:
-        sweep, surface, message = found, found.to_bspline(obj.Tolerance.Value), found.message
-        write_fit_numbers(obj, None)
-        tolerance = max(obj.Tolerance.Value, 1e-3)
-    shape = surface_shape(surface)
-    shape.Placement = obj.Placement
-    obj.Shape = shape
-    obj.Message = message
-    if sweep is not None:
-        obj.ModelUsed = str(sweep.model.value)
-        obj.Kinds = [str(kind.value) for kind in sweep_kinds(sweep, tolerance)]
-    origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
-    obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))
-    mark_as_computed(obj)
+    def write(self, obj: Any, result: SweptFit | SweptSurface) -> None:
+        """Write surface and numbers, and what the sweep is besides."""
+        if isinstance(result, SweptFit):
+            sweep, surface = result.sweep, result.surface
+            write_fit_numbers(obj, result)
+            tolerance = max(3.0 * result.rms, 1e-3)
+        else:
+            sweep, surface = result, result.to_bspline(obj.Tolerance.Value)
+            write_fit_numbers(obj, None)
+            tolerance = max(obj.Tolerance.Value, 1e-3)
+        shape = surface_shape(surface)
+        shape.Placement = obj.Placement
+        obj.Shape = shape
+        obj.Message = result.message
+        if sweep is not None:
+            obj.ModelUsed = str(sweep.model.value)
+            obj.Kinds = [str(kind.value) for kind in sweep_kinds(sweep, tolerance)]
+        origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
+        obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))

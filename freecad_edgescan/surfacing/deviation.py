@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -42,6 +43,20 @@ class Deviation(DeviationFigures):
 
     def __len__(self) -> int:
         return len(self.deviation)
+
+    @classmethod
+    def joined(cls, parts: Sequence[Deviation]) -> Deviation:
+        """Deviations of points that follow each other, in parts, as one."""
+        nothing = cls(np.zeros(0), np.zeros(0, dtype=bool), (np.zeros(0), np.zeros(0)))
+        parts = list(parts) or [nothing]
+        return cls(
+            np.concatenate([part.deviation for part in parts]),
+            np.concatenate([part.outside for part in parts]),
+            (
+                np.concatenate([part.parameters[0] for part in parts]),
+                np.concatenate([part.parameters[1] for part in parts]),
+            ),
+        )
 
     def histogram(self, bins: int = 60, limit: float | None = None) -> tuple[Array, Array]:
         """Counts (bins,) and limits (bins + 1,), mm, of the deviations within the rim.
@@ -92,14 +107,7 @@ def deviation(
         parts.append(Deviation(signed, beyond_the_rim(part, surface, u, v), (u, v)))
         if progress and not progress.update((start + len(part)) / len(x), parts[-1]):
             break
-    return Deviation(
-        np.concatenate([part.deviation for part in parts]),
-        np.concatenate([part.outside for part in parts]),
-        (
-            np.concatenate([part.parameters[0] for part in parts]),
-            np.concatenate([part.parameters[1] for part in parts]),
-        ),
-    )
+    return Deviation.joined(parts)
 
 
 def points_of(cloud: PointCloud | ArrayLike) -> Array:

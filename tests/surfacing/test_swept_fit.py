@@ -107,15 +107,15 @@ def test_a_blend_fitted_to_points_of_a_blend_is_exact(pipe):
 
 def test_progress_may_end_the_fit(pipe):
     class Told:
-        count = 0
+        fits = ()
 
         def update(self, fraction, so_far):
-            self.count += 1
-            return False
+            self.fits = (*self.fits, *([so_far] if so_far is not None else []))
+            return not self.fits
 
     told = Told()
-    es.fit_swept_surface(pipe.cloud(1000), pipe.base("rotate"), (8, 5), progress=told)
-    assert told.count == 1
+    fit = es.fit_swept_surface(pipe.cloud(1000), pipe.base("rotate"), (8, 5), progress=told)
+    assert told.fits == (fit,)
 
 
 def test_what_cannot_be_fitted_is_refused_with_numbers(pipe):
