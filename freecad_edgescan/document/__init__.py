@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from .deviation_from_shape import shape_deviation as shape_deviation
     from .deviation_from_shape import write_deviations as write_deviations
     from .deviation_map import make_deviation_map as make_deviation_map
+    from .deviation_map import save_deviation_map as save_deviation_map
     from .export import export_step as export_step
     from .extended_surface import make_extended_surface as make_extended_surface
     from .fitted_surface import make_fitted_surface as make_fitted_surface
@@ -47,6 +48,7 @@ _HOME_OF = {
     "make_extended_surface": "extended_surface",
     "make_surface_intersection": "surface_intersection",
     "make_deviation_map": "deviation_map",
+    "save_deviation_map": "deviation_map",
     "shape_deviation": "deviation_from_shape",
     "write_deviations": "deviation_from_shape",
     "make_cloud_section": "cloud_section",

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from ..cloud import CoreBox
@@ -29,6 +30,9 @@ _EDGE = Look(
 )
 _CLOUD = Look(colour=(0.75, 0.78, 0.80), transparency=80)
 _SEGMENT = Look(colour=(0.0, 0.45, 0.70), visible=False, view=_VIEW)
+_MAP = replace(
+    _SEGMENT, view=("freecad_edgescan.gui.deviation_map_view", "ViewProviderDeviationMap")
+)
 _PROFILE = Look(colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), line_width=2.0)
 # Rails as scanned need not end opposite each other; the study's are cut to their common length.
 _LARGEST_GAP = 5.0  # mm
@@ -113,7 +117,7 @@ def casestudy_looks(doc: Any) -> dict[str, Look]:
             looks[obj.Name] = {
                 "ScannedEdgeProxy": _EDGE,
                 "CloudSegmentProxy": _SEGMENT,
-                "DeviationMapProxy": _SEGMENT,
+                "DeviationMapProxy": _MAP,
                 "Points::Feature": _CLOUD,
             }.get(kind, _PROFILE)
     return looks

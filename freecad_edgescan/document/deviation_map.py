@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
 from typing import Any
 
 import FreeCAD
@@ -16,16 +18,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import compensate_cloud
 from ..cloud.progress import Stage
+from ..experiments.deviation_picture import draw_deviations
 from ..scanning import Progress
-from .bridge import kernel_from_array, origin_of
+from ..surfacing import Deviation
+from .bridge import kernel_from_array, origin_of, points_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared, Role
-from .deviation_from_shape import MeasurableShape
+from .deviation_from_shape import MeasurableShape, write_deviations
 from .linked_geometry import require_cloud, require_shape
 from .native_surface import surface_of
 
-__all__ = ["DeviationMapProxy", "deviation_colours", "make_deviation_map"]
+__all__ = [
+    "DeviationMapProxy",
+    "deviation_colours",
+    "make_deviation_map",
+    "save_deviation_map",
+]
 
 _BINS = 61
 _FULL = 99.5  # percent of the absolute deviations that the colours tell apart
@@ -173,6 +182,40 @@ class Measured:
     points: NDArray[np.float64]
     deviation: NDArray[np.float64]
     left_out: int
+
+
+def save_deviation_map(
+    obj: Any, path: str | PathLike[str], view: ArrayLike = (0.0, 0.0, 1.0)
+) -> None:
+    """Write a map's deviations as a table (.csv), or as a picture with histogram.
+
+    Parameters
+    ----------
+    obj : a deviation map that was measured
+    path : of the file; .csv, or .png, .svg or .pdf
+    view : (3,) direction from the part towards the viewer of the picture
+
+    Raises
+    ------
+    ValueError: no deviation map, nothing measured yet, or no such kind of file.
+    """
+    if type(getattr(obj, "Proxy", None)).__name__ != "DeviationMapProxy":
+        raise ValueError(f"{getattr(obj, 'Label', obj)!r} is no deviation map; choose one.")
+    values = np.array(obj.Deviations)
+    if not len(values):
+        raise ValueError(f"{obj.Label!r} holds no deviations yet; recompute the document first.")
+    points, file = points_of(obj), Path(path)
+    if file.suffix.lower() == ".csv":
+        nowhere = np.zeros(len(values))
+        inside = np.zeros(len(values), dtype=bool)
+        write_deviations(points, Deviation(values, inside, (nowhere, nowhere)), file)
+    elif file.suffix.lower() in (".png", ".svg", ".pdf"):
+        panels = {str(obj.Label): (points, values)}
+        draw_deviations(panels, file, view, obj.LimitUsed.Value)
+    else:
+        raise ValueError(
+            f"{file.name} is neither a table nor a picture; write a .csv, .png, .svg or .pdf file."
+        )
 
 
 def deviation_colours(deviation: ArrayLike, limit: float) -> NDArray[np.float64]:

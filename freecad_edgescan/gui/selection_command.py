@@ -4,11 +4,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import FreeCAD
 import FreeCADGui
 
+from .compute_beside import CancelledByUserError, computing_beside
 from .icons import icon_path
 from .message import problems_shown
 from .recorded_step import run_as_one_step
@@ -49,5 +51,6 @@ class SelectionCommand:
         """Make the object."""
         doc = FreeCAD.ActiveDocument
         chosen = list(dict.fromkeys(FreeCADGui.Selection.getSelection(doc.Name)))
-        with problems_shown(self.title):
-            run_as_one_step(doc, self.title, [self.line(chosen)])
+        with problems_shown(self.title), suppress(CancelledByUserError):
+            beside = computing_beside(self.title)
+            run_as_one_step(doc, self.title, [self.line(chosen)], beside)

@@ -26,10 +26,10 @@ _HOME_OF = {
             "SurfaceIntersectionProxy",
             "CloudSegmentProxy",
             "CloudSectionProxy",
-            "DeviationMapProxy",
         ),
         ("computed_view", "ViewProviderComputed"),
     ),
+    "DeviationMapProxy": ("deviation_map_view", "ViewProviderDeviationMap"),
 }
 
 _watching: list[Any] = []
