@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .sweeps import make_loft as make_loft
     from .sweeps import make_sweep as make_sweep
     from .swept_surface import make_swept_surface as make_swept_surface
+    from .trimmed_shell import make_trimmed_shell as make_trimmed_shell
 
 _HOME_OF = {
     "edge_shape": "native_edge",
@@ -56,6 +57,7 @@ _HOME_OF = {
     "make_scanned_edge": "scanned_edge",
     "make_sweep": "sweeps",
     "make_swept_surface": "swept_surface",
+    "make_trimmed_shell": "trimmed_shell",
     "point_cloud": "cloud_cache",
     "points_of": "bridge",
     "simulate_cloud": "simulated_shape",

@@ -16,6 +16,7 @@ _ICONS = {
     "SurfaceIntersectionProxy": "EdgeScan_IntersectSurfaces",
     "CloudSegmentProxy": "EdgeScan_CloudSegment",
     "CloudSectionProxy": "EdgeScan_CloudSection",
+    "TrimmedShellProxy": "EdgeScan_TrimmedShell",
     "DeviationMapProxy": "EdgeScan_DeviationMap",
 }
 _POINT_SIZE = 3.0

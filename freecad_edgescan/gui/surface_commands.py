@@ -78,6 +78,16 @@ def surface_commands() -> dict[str, SelectionCommand]:
             _intersection,
         ),
         SelectionCommand(
+            "EdgeScan_TrimmedShell",
+            QT_TRANSLATE_NOOP("EdgeScan_TrimmedShell", "Trim and sew surfaces"),
+            QT_TRANSLATE_NOOP(
+                "EdgeScan_TrimmedShell",
+                "Trim surfaces where they meet, drop what sticks out, and sew the rest into a "
+                "shell. Select the surfaces, and the edges at which they end.",
+            ),
+            _shell,
+        ),
+        SelectionCommand(
             "EdgeScan_DeviationMap",
             QT_TRANSLATE_NOOP("EdgeScan_DeviationMap", "Deviation map"),
             QT_TRANSLATE_NOOP(
@@ -144,6 +154,21 @@ def _extended(chosen: list[Any]) -> str:
             f"{len(shapes)} surfaces are selected. Select one, not two or none, to extend it."
         )
     return f"document.make_extended_surface(doc, {object_line(shapes[0])}, 'u1')"
+
+
+def _shell(chosen: list[Any]) -> str:
+    _, shapes = _told_apart(chosen)
+    surfaces = [item for item in shapes if item.Shape.Faces]
+    edges = [item for item in shapes if not item.Shape.Faces]
+    if not surfaces:
+        raise ValueError(
+            f"{len(edges)} edges and no surface are selected. Select the surfaces of a shell, and "
+            "the edges at which they end."
+        )
+    surface_list, edge_list = (
+        f"[{', '.join(object_line(item) for item in items)}]" for items in (surfaces, edges)
+    )
+    return f"document.make_trimmed_shell(doc, {surface_list}{f', {edge_list}' if edges else ''})"
 
 
 def _intersection(chosen: list[Any]) -> str:

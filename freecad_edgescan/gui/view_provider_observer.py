@@ -26,6 +26,7 @@ _HOME_OF = {
             "SurfaceIntersectionProxy",
             "CloudSegmentProxy",
             "CloudSectionProxy",
+            "TrimmedShellProxy",
         ),
         ("computed_view", "ViewProviderComputed"),
     ),
