@@ -51,6 +51,13 @@ _PROPERTIES = (
     ),
     Declared("Distance", "LargestGap", "Sweep", "How far a profile may end beside its rail"),
     Declared(
+        "Bool",
+        "CutRails",
+        "Sweep",
+        "Whether rails that go on beyond the outer profiles by more than LargestGap end where "
+        "these do",
+    ),
+    Declared(
         "Distance", "Tolerance", "Sweep", "Of the surface from the exact sweep, without a cloud"
     ),
     Declared("LinkGlobal", "Cloud", "Fit", "Cloud or segment the sweep is fitted to, or nothing"),
@@ -78,6 +85,7 @@ def make_swept_surface(
     model: str = BETTER,
     control_points: tuple[int, int] = (14, 7),
     distance: float = 3.0,
+    cut_rails: bool = True,
     name: str = "SweptSurface",
 ) -> Any:
     """Make a surface swept by profiles along rails; `doc.recompute()` computes it.
@@ -91,6 +99,7 @@ def make_swept_surface(
     model : "blend", "rotate", or "better": the one that explains the cloud better
     control_points : of the fitted rails and of the fitted profiles
     distance : mm, from the sweep, within which points of a whole cloud belong to it
+    cut_rails : whether rails that go on beyond the outer profiles end where these do
     name : of the object
 
     Returns
@@ -113,7 +122,7 @@ def make_swept_surface(
     obj.Rails, obj.Profiles, obj.Cloud = rails, profiles, cloud
     obj.Model = str(model)
     obj.RailPoles, obj.ProfilePoles = (int(count) for count in control_points)
-    obj.Distance = float(distance)
+    obj.Distance, obj.CutRails = float(distance), bool(cut_rails)
     return obj
 
 
@@ -131,7 +140,7 @@ class SweptSurfaceProxy(ComputedProxy):
         """Rails, profiles and cloud, and how they are swept and fitted."""
         yield from (linked_curve(rail, "rail") for rail in obj.Rails)
         yield from (linked_curve(profile, "profile") for profile in obj.Profiles)
-        yield from (len(obj.Rails), obj.Model, obj.LargestGap.Value)
+        yield from (len(obj.Rails), obj.Model, obj.LargestGap.Value, obj.CutRails)
         if obj.Cloud is None:
             yield obj.Tolerance.Value
         else:
@@ -144,12 +153,12 @@ class SweptSurfaceProxy(ComputedProxy):
         profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
         both = obj.Model == BETTER
         model = SweepModel.ROTATE if both else SweepModel(obj.Model)
-        gap = obj.LargestGap.Value
+        gap, cut = obj.LargestGap.Value, bool(obj.CutRails)
         near = None if obj.Cloud is None else points_near_base(obj.Cloud, obj.Distance.Value)
         poles = int(obj.RailPoles), int(obj.ProfilePoles)
 
         def sweep(progress: Progress | None) -> SweptFit | SweptSurface:
-            base = SweptSurface(rails, profiles, model, largest_gap=gap)
+            base = SweptSurface(rails, profiles, model, largest_gap=gap, cut_rails=cut)
             if near is None:
                 return base
             points = near(base.to_bspline(1e-2), progress and Stage(progress, 0.0, 0.5))

@@ -19,6 +19,7 @@ from ..geometry.surface_interpolation import interpolated_surface
 from .displacement_energy import displacement_energy
 from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised
+from .support import said_of_support
 from .tensor_system import TensorSystem
 
 if TYPE_CHECKING:
@@ -82,9 +83,12 @@ def _measured(
         feet = surface.closest(given.points[off], start=(given.u[off], given.v[off]))
         parameters[0][off], parameters[1][off], lengths[off] = feet
     deviation = signed_deviation(surface, given.points, *parameters, lengths)
-    return SurfaceFit(
-        surface, deviation, parameters, given.outside, supported, _message(given, supported)
+    said = (
+        said_of_outside(given.outside),
+        said_of_support(surface, supported, "there it follows the base surface"),
     )
+    message = " ".join(filter(None, said))
+    return SurfaceFit(surface, deviation, parameters, given.outside, supported, message)
 
 
 def _supported(system: TensorSystem, knots: tuple[Array, Array]) -> NDArray[np.bool_]:
@@ -93,17 +97,6 @@ def _supported(system: TensorSystem, knots: tuple[Array, Array]) -> NDArray[np.b
     density = system.points_of_patch / area
     filled = density[density > 0.0]
     return np.asarray(density > _SPARSE * np.median(filled))
-
-
-def _message(given: Parameterised, supported: NDArray[np.bool_]) -> str:
-    said = [said_of_outside(given.outside)]
-    missing = int((~supported).sum())
-    if missing:
-        said.append(
-            f"The cloud does not support {missing} of the surface's {supported.size} patches; "
-            "there it follows the base surface."
-        )
-    return " ".join(said).strip()
 
 
 def _mean_size(surface: BSplineSurface) -> tuple[float, float]:

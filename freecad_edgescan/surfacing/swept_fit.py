@@ -22,6 +22,7 @@ from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised, beyond_the_rim, parameterised
 from .pole_count import some_of
 from .rotate_fit import RotateFit
+from .support import said_of_support
 from .swept_surface import SweepModel, SweptSurface
 
 if TYPE_CHECKING:
@@ -189,23 +190,13 @@ def _measured(
     # rails move, and with them the rim
     outside = given.outside | beyond_the_rim(given.points, surface, u, v)
     supported = _supported(surface, knots, u[~outside], v[~outside])
-    said = [said_of_outside(outside)]
-    missing = int((~supported).sum())
-    if missing:
-        said.append(
-            f"The cloud does not support {missing} of the surface's {supported.size} patches; "
-            "there the rest of the sweep decides."
-        )
-    message = " ".join([*said, sweep.message]).strip()
-    return SweptFit(
-        surface,
-        deviation,
-        (u, v),
-        outside,
-        supported,
-        message,
-        sweep,
+    said = (
+        said_of_outside(outside),
+        said_of_support(surface, supported, "there the rest of the sweep decides"),
+        sweep.message,
     )
+    message = " ".join(filter(None, said))
+    return SweptFit(surface, deviation, (u, v), outside, supported, message, sweep)
 
 
 def _supported(
