@@ -63,7 +63,10 @@ def _facing(first: BSplineCurve, second: BSplineCurve, at: Array) -> Array:
     slope = np.einsum("mki,mki->mk", chord, first.tangent(at)[:, None] + tangents)
     width = np.linalg.norm(chord, axis=2)
     crossing = (slope[:, :-1] <= 0.0) & (slope[:, 1:] > 0.0)
-    near = np.where(crossing, width[:, :-1], np.inf)
+    # where rails come by again, the other rail is near once more, far along it
+    shares = np.linspace(0.0, 1.0, len(at))[:, None] - np.linspace(0.0, 1.0, _SEARCHED)
+    along = np.abs(shares) * second.length()
+    near = np.where(crossing, (width + along)[:, :-1], np.inf)
     place = np.argmin(near, axis=1)
     rows = np.arange(len(at))
     found = np.isfinite(near[rows, place])

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from scipy import sparse
@@ -92,7 +94,15 @@ def test_a_missing_quarter_is_said_and_filled_from_the_base(wave):
     assert not fit.is_supported(0.8, 0.8) and fit.is_supported(0.3, 0.7)
     share = np.linspace(0, 1, 101)
     assert fit.is_supported(share[:, None], share).mean() == pytest.approx(0.75, abs=0.06)
-    assert "does not support" in fit.message
+    said = re.search(
+        r"does not support (\d+) of the surface's (\d+) patches, (\d+) % of its area, the largest "
+        r"piece from u = ([\d.]+) to ([\d.]+) and v = ([\d.]+) to ([\d.]+), near",
+        fit.message,
+    )
+    patches, of, percent, *limits = (float(number) for number in said.groups())
+    assert patches == (~fit.supported).sum() and of == fit.supported.size
+    assert percent == pytest.approx(25, abs=6)
+    assert limits == pytest.approx([0.5, 1.0, 0.5, 1.0], abs=0.08)
     assert error_of(fit, wave, keep=there).max() < 0.05
     # the base surface is the true one: only what the cloud's rim says of the gap is wrong
     assert error_of(fit, wave).max() < 0.5
