@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where a cloud leaves a surface without support, in words."""
+"""Where a cloud supports a surface, and in words where it does not."""
 
 from __future__ import annotations
 
@@ -9,11 +9,26 @@ from scipy.ndimage import label
 
 from ..geometry import BSplineSurface
 
-__all__ = ["said_of_support"]
+__all__ = ["dense_enough", "said_of_support", "supported_share"]
 
 Array = NDArray[np.float64]
 
+_SPARSE = 0.1  # of the median density of the patches that hold any points
 _MEASURED = 5  # places on a patch in either direction, for its area
+
+
+def dense_enough(count: NDArray, knots: tuple[Array, Array]) -> NDArray[np.bool_]:
+    """Which patches (ku, kv) between knots hold points about as densely as the others."""
+    area = np.multiply.outer(*(np.diff(np.unique(own)) for own in knots))
+    density = count / area
+    filled = density[density > 0.0]
+    return np.asarray(density > _SPARSE * np.median(filled)) if len(filled) else count > 0
+
+
+def supported_share(surface: BSplineSurface, supported: NDArray[np.bool_]) -> float:
+    """Share of a surface's area that lies in its supported patches (ku, kv), 0 to 1."""
+    area = _areas(surface)
+    return float(area[supported].sum() / area.sum())
 
 
 def said_of_support(surface: BSplineSurface, supported: NDArray[np.bool_], instead: str) -> str:
@@ -38,7 +53,7 @@ def said_of_support(surface: BSplineSurface, supported: NDArray[np.bool_], inste
     row, column = rows[middle], columns[middle]
     place = surface.evaluate((u[row] + u[row + 1]) / 2, (v[column] + v[column + 1]) / 2)
     missing = int((~supported).sum())
-    share = 100.0 * float(area[~supported].sum() / area.sum())
+    share = 100.0 * (1.0 - supported_share(surface, supported))
     where = ", ".join(f"{x:.4g}" for x in place)
     return (
         f"The cloud does not support {missing} of the surface's {supported.size} patches, "

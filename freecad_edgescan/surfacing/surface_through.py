@@ -19,7 +19,7 @@ from ..geometry.surface_interpolation import interpolated_surface
 from .displacement_energy import displacement_energy
 from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised
-from .support import said_of_support
+from .support import dense_enough, said_of_support
 from .tensor_system import TensorSystem
 
 if TYPE_CHECKING:
@@ -28,9 +28,6 @@ if TYPE_CHECKING:
 __all__ = ["surface_through"]
 
 Array = NDArray[np.float64]
-
-_SPARSE = 0.1
-"""Least number of points per area of the parameters, relative to the median patch that has any."""
 
 
 def surface_through(
@@ -60,7 +57,7 @@ def surface_through(
         last = correction == corrections
         if not last and progress is None:
             continue
-        fit = _measured(surface, given, u, v, distance, _supported(system, knots))
+        fit = _measured(surface, given, u, v, distance, dense_enough(system.points_of_patch, knots))
         if progress and not progress.update((correction + 1) / (corrections + 1), fit):
             break
     return fit
@@ -89,14 +86,6 @@ def _measured(
     )
     message = " ".join(filter(None, said))
     return SurfaceFit(surface, deviation, parameters, given.outside, supported, message)
-
-
-def _supported(system: TensorSystem, knots: tuple[Array, Array]) -> NDArray[np.bool_]:
-    """Which patches hold points about as densely as the others."""
-    area = np.multiply.outer(*(np.diff(np.unique(k)) for k in knots))
-    density = system.points_of_patch / area
-    filled = density[density > 0.0]
-    return np.asarray(density > _SPARSE * np.median(filled))
 
 
 def _mean_size(surface: BSplineSurface) -> tuple[float, float]:

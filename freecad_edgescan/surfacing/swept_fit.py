@@ -22,7 +22,7 @@ from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised, beyond_the_rim, parameterised
 from .pole_count import some_of
 from .rotate_fit import RotateFit
-from .support import said_of_support
+from .support import dense_enough, said_of_support
 from .swept_surface import SweepModel, SweptSurface
 
 if TYPE_CHECKING:
@@ -215,4 +215,4 @@ def _supported(
         np.clip(np.searchsorted(own, at) - 1, 0, len(own) - 2)
         for own, at in zip(spans, middle, strict=True)
     ]
-    return np.asarray(count[np.ix_(*place)] > 0)
+    return np.asarray(dense_enough(count, knots)[np.ix_(*place)])
