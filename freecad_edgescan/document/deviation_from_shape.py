@@ -3,10 +3,8 @@
 
 from __future__ import annotations
 
-import csv
 from collections import Counter
 from os import PathLike
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -118,12 +116,7 @@ def write_deviations(points: ArrayLike, deviation: Deviation, path: str | PathLi
     deviation : Deviation of these points
     path : of the file
     """
-    with Path(path).open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(["x_mm", "y_mm", "z_mm", "deviation_mm", "beyond_rim"])
-        rows = zip(np.asarray(points), deviation.deviation, deviation.outside, strict=True)
-        for place, value, beyond in rows:
-            writer.writerow([*(f"{x:.6f}" for x in (*place, value)), int(beyond)])
+    deviation.to_csv(points, path)
 
 
 def _box(face: Any) -> tuple[Array, Array]:

@@ -132,7 +132,7 @@ def cross_section(
     if len(rows) >= _FEWEST:
         flat = cloud.points[rows] - cut.plane.residuals(cloud.points[rows])
         gap = np.inf if cut.end is not None else max(_GAP * pitch, slab)
-        order = chain_order(flat, cut.plane.point, _SPACING * pitch, gap)
+        order = chain_order(flat, cut.plane.point, _SPACING * pitch, gap, cut.end)
         rows, flat = rows[order], flat[order]
     if len(rows) < _FEWEST:
         where = ", ".join(f"{x:.3f}" for x in cut.plane.point)

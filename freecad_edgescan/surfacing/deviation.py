@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -57,6 +59,13 @@ class Deviation(DeviationFigures):
                 np.concatenate([part.parameters[1] for part in parts]),
             ),
         )
+
+    def to_csv(self, points: ArrayLike, path: str | PathLike[str]) -> None:
+        """Write points (n, 3), mm, their deviations, and whether they lie beyond the rim."""
+        table = np.column_stack([np.asarray(points, dtype=float), self.deviation, self.outside])
+        header = "x_mm,y_mm,z_mm,deviation_mm,beyond_rim"
+        with Path(path).open("w", encoding="utf-8", newline="") as file:
+            np.savetxt(file, table, ["%.6f"] * 4 + ["%d"], ",", header=header, comments="")
 
     def histogram(self, bins: int = 60, limit: float | None = None) -> tuple[Array, Array]:
         """Counts (bins,) and limits (bins + 1,), mm, of the deviations within the rim.
