@@ -26,10 +26,8 @@ def self_crossing(grid: Array) -> tuple[int, int] | None:
     centre, middle = corners.mean(axis=1), ends.mean(axis=1)
     reach = np.linalg.norm(corners - centre[:, None], axis=2).max()
     reach += np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).max() / 2
-    near = cKDTree(centre).query_ball_point(middle, reach, return_sorted=False)
-    count = np.array([len(rows) for rows in near])
-    side = np.repeat(np.arange(len(ends)), count)
-    triangle = np.concatenate([np.asarray(rows, dtype=np.intp) for rows in near])
+    near = cKDTree(middle).sparse_distance_matrix(cKDTree(centre), reach, output_type="ndarray")
+    side, triangle = near["i"], near["j"]
     apart = np.abs(cells[triangle] - beginnings[side]).max(axis=1) > _APART
     side, triangle = side[apart], triangle[apart]
     crossed = np.flatnonzero(_pierces(ends[side], corners[triangle]))

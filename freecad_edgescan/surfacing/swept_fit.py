@@ -102,12 +102,12 @@ def fit_swept_surface(
         before = feet.rms
         feet = _improved(fit, x, feet)
         if progress:
-            so_far = _measured(fit.sweep, feet.surface, some, knots)
+            so_far = _measured(fit.sweep, feet.surface, some, knots, "")
             if not progress.update(0.2 + 0.7 * (number + 1) / rounds, so_far):
                 return so_far
         if before - feet.rms <= _ENOUGH * before and number > 0:
             break
-    return _measured(fit.sweep, feet.surface, given, knots)
+    return _measured(fit.sweep, feet.surface, given, knots, fit.sweep.message)
 
 
 def _knots(base: SweptSurface, poles: tuple[int, int]) -> tuple[Array, Array]:
@@ -184,6 +184,7 @@ def _measured(
     surface: BSplineSurface,
     given: Parameterised,
     knots: tuple[Array, Array],
+    of_the_sweep: str,
 ) -> SweptFit:
     u, v, distance = surface.closest(given.points, start=(given.u, given.v))
     deviation = signed_deviation(surface, given.points, u, v, distance)
@@ -193,7 +194,7 @@ def _measured(
     said = (
         said_of_outside(outside),
         said_of_support(surface, supported, "there the rest of the sweep decides"),
-        sweep.message,
+        of_the_sweep,
     )
     message = " ".join(filter(None, said))
     return SweptFit(surface, deviation, (u, v), outside, supported, message, sweep)
