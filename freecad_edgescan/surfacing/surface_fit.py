@@ -7,7 +7,8 @@ Schreve 6.3:
    Parameterization of randomly measured points for least squares fitting of B-spline curves and
    surfaces). Points beyond the base surface's rim are left out.
 2. Knots are averaged over the parameters (Piegl and Tiller 1997, eqs. 9.68 and 9.69).
-3. The surface's poles are solved for; all weights are 1.
+3. The surface's poles are solved for; all weights are 1. Over a closed base surface they are those
+   of a periodic spline: the surface is closed, too, and as smooth over its seam as anywhere.
 """
 
 from __future__ import annotations

@@ -19,6 +19,7 @@ from ..geometry.surface_interpolation import interpolated_surface
 from .displacement_energy import displacement_energy
 from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised
+from .seam import Unrolled
 from .support import dense_enough, said_of_support
 from .tensor_system import TensorSystem
 
@@ -47,17 +48,27 @@ def surface_through(
             f"{nu} × {nv} control points need at least {nu * nv} points, and only {on.sum()} of "
             f"the {len(on)} lie over the base surface; give more points, or fewer control points."
         )
-    start = interpolated_surface(base.evaluate, knots, degree)
-    energy = displacement_energy(knots, degree, _mean_size(start))
+    unrolled = Unrolled(base, knots, degree)
+    wide = unrolled.wide_knots
+    start = interpolated_surface(unrolled.shape(), wide, degree)
+    energy = displacement_energy(wide, degree, _mean_size(start))
     x, u, v = given.points[on], given.u[on], given.v[on]
     for correction in range(corrections + 1):
-        system = TensorSystem(u, v, x - start.evaluate(u, v), knots, degree)
-        surface = BSplineSurface(start.poles + system.solve(energy, smoothing), knots, degree)
+        rows, at_u, at_v = unrolled.repeated(u, v)
+        system = TensorSystem(at_u, at_v, x[rows] - start.evaluate(at_u, at_v), wide, degree)
+        surface = unrolled.rolled_up(start.poles + system.solve(energy, smoothing))
         u, v, distance = surface.closest(x, start=(u, v))
         last = correction == corrections
         if not last and progress is None:
             continue
-        fit = _measured(surface, given, u, v, distance, dense_enough(system.points_of_patch, knots))
+        fit = _measured(
+            surface,
+            given,
+            u,
+            v,
+            distance,
+            dense_enough(unrolled.inner(system.points_of_patch), knots),
+        )
         if progress and not progress.update((correction + 1) / (corrections + 1), fit):
             break
     return fit
