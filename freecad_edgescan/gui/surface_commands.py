@@ -54,9 +54,11 @@ def surface_commands() -> dict[str, SelectionCommand]:
             QT_TRANSLATE_NOOP("EdgeScan_FittedSurface", "Fitted surface"),
             QT_TRANSLATE_NOOP(
                 "EdgeScan_FittedSurface",
-                "Fit a surface to a cloud near another surface. Select the cloud and the surface.",
+                "Fit a surface to a cloud near another surface, between four edges, or round the "
+                "plane, cylinder, cone or sphere that the cloud lies on. Select the cloud, and the "
+                "surface or the four edges.",
             ),
-            lambda chosen: _of_cloud_and_surface(chosen, "make_fitted_surface"),
+            _fitted,
         ),
         SelectionCommand(
             "EdgeScan_ExtendSurface",
@@ -115,6 +117,22 @@ def _of_cloud_and_surface(chosen: list[Any], make: str) -> str:
             "one cloud and one surface."
         )
     return f"document.{make}(doc, {object_line(clouds[0])}, {object_line(shapes[0])})"
+
+
+def _fitted(chosen: list[Any]) -> str:
+    clouds, shapes = _told_apart(chosen)
+    surfaces = [item for item in shapes if item.Shape.Faces]
+    edges = [item for item in shapes if not item.Shape.Faces]
+    if len(clouds) != 1 or (len(surfaces), len(edges)) not in ((1, 0), (0, 4), (0, 0)):
+        raise ValueError(
+            f"{len(clouds)} clouds, {len(surfaces)} surfaces and {len(edges)} edges are selected. "
+            "Select one cloud, and with it one surface, or four edges, or nothing else."
+        )
+    cloud = object_line(clouds[0])
+    if surfaces:
+        return f"document.make_fitted_surface(doc, {cloud}, {object_line(surfaces[0])})"
+    around = f", edges=[{', '.join(object_line(item) for item in edges)}]" if edges else ""
+    return f"document.make_fitted_surface(doc, {cloud}{around})"
 
 
 def _section(chosen: list[Any]) -> str:

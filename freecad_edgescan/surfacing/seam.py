@@ -75,8 +75,10 @@ class Unrolled:
         first, last = self.base.parameter_range[axis]
         return np.where((x < first) | (x > last), first + (x - first) % (last - first), x)
 
-    def repeated(self, u: Array, v: Array) -> tuple[NDArray[np.intp], Array, Array]:
+    def repeated(self, u: Array, v: Array) -> tuple[NDArray[np.intp] | slice, Array, Array]:
         """Rows of the points with parameters u (m,), v (m,), and their unrolled parameters."""
+        if not any(self.base.closed):
+            return slice(None), u, v
         rows, places = np.arange(len(u)), [u, v]
         for axis, knots in enumerate(self.wide_knots):
             if not self._over(axis):
