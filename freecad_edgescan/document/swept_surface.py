@@ -26,6 +26,7 @@ from .bridge import origin_of
 from .cloud_cache import cloud_checksum
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
+from .exact_sweep import exact_shape
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_surface import surface_shape
@@ -59,6 +60,12 @@ _PROPERTIES = (
     ),
     Declared(
         "Distance", "Tolerance", "Sweep", "Of the surface from the exact sweep, without a cloud"
+    ),
+    Declared(
+        "Bool",
+        "Exact",
+        "Sweep",
+        "Whether an extrusion or revolution, as Kinds says, is made as a surface of this kind",
     ),
     Declared("LinkGlobal", "Cloud", "Fit", "Cloud or segment the sweep is fitted to, or nothing"),
     Declared(
@@ -140,7 +147,7 @@ class SweptSurfaceProxy(ComputedProxy):
         """Rails, profiles and cloud, and how they are swept and fitted."""
         yield from (linked_curve(rail, "rail") for rail in obj.Rails)
         yield from (linked_curve(profile, "profile") for profile in obj.Profiles)
-        yield from (len(obj.Rails), obj.Model, obj.LargestGap.Value, obj.CutRails)
+        yield from (len(obj.Rails), obj.Model, obj.LargestGap.Value, obj.CutRails, obj.Exact)
         if obj.Cloud is None:
             yield obj.Tolerance.Value
         else:
@@ -179,12 +186,16 @@ class SweptSurfaceProxy(ComputedProxy):
             sweep, surface = result, result.to_bspline(obj.Tolerance.Value)
             write_fit_numbers(obj, None)
             tolerance = max(obj.Tolerance.Value, 1e-3)
-        shape = surface_shape(surface)
+        kinds = () if sweep is None else sweep_kinds(sweep, tolerance)
+        exact = exact_shape(sweep, kinds) if obj.Exact and sweep is not None else None
+        shape = surface_shape(surface) if exact is None else exact
         shape.Placement = obj.Placement
         obj.Shape = shape
-        obj.Message = result.message
+        missing = obj.Exact and exact is None
+        said = "The sweep is neither an extrusion nor a revolution." if missing else ""
+        obj.Message = f"{result.message} {said}".strip()
+        obj.Kinds = [str(kind.value) for kind in kinds]
         if sweep is not None:
             obj.ModelUsed = str(sweep.model.value)
-            obj.Kinds = [str(kind.value) for kind in sweep_kinds(sweep, tolerance)]
         origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
         obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))

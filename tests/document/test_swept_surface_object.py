@@ -170,6 +170,44 @@ def test_profiles_drawn_the_other_way_and_long_rails_are_mended_and_said(doc: An
     assert "Invalid" in swept.State and "(CutRails)" in swept.Message
 
 
+def _over(swept: Any, share: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Parameters all over a swept object's face."""
+    (u0, u1), (v0, v1) = surface_of(swept.Shape).parameter_range
+    return u0 + share * (u1 - u0), (v0 + share * (v1 - v0)).T
+
+
+def test_extrusions_and_revolutions_are_offered_as_what_they_are(doc: Any) -> None:
+    pipe = document.make_swept_surface(doc, *half_pipe(doc))
+    bend = [
+        feature(doc, Part.makeCircle(radius, V(0, 0, 0), V(0, 0, 1), 0, 90), "Rail")
+        for radius in (30, 50)
+    ]
+    ends = [
+        feature(doc, Part.Arc(30 * way, 40 * way - V(0, 0, 10), 50 * way).toShape(), "Profile")
+        for way in (V(1, 0, 0), V(0, 1, 0))
+    ]
+    turned = document.make_swept_surface(doc, bend, ends)
+    doc.recompute()
+    areas = [swept.Shape.Area for swept in (pipe, turned)]
+    for swept in (pipe, turned):
+        swept.Exact = True
+    doc.recompute()
+    assert pipe.Shape.Faces[0].Surface.TypeId == "Part::GeomSurfaceOfExtrusion"
+    assert turned.Shape.Faces[0].Surface.TypeId in (
+        "Part::GeomSurfaceOfRevolution",
+        "Part::GeomToroid",
+    )
+    share = np.linspace(0, 1, 7)[:, None]
+    x, y, z = np.moveaxis(surface_of(pipe.Shape).evaluate(*_over(pipe, share)), -1, 0)
+    assert np.allclose(np.hypot(y, z), 17.0, atol=1e-7) and np.ptp(x) == pytest.approx(60)
+    x, y, z = np.moveaxis(surface_of(turned.Shape).evaluate(*_over(turned, share)), -1, 0)
+    assert np.allclose(np.hypot(np.hypot(x, y) - 40, z), 10.0, atol=1e-3)
+    assert [swept.Shape.Area for swept in (pipe, turned)] == pytest.approx(areas, rel=1e-3)
+    ends[1].Shape = Part.makeLine(V(0, 30, 0), V(0, 50, 0))
+    doc.recompute()
+    assert "neither an extrusion nor a revolution" in turned.Message
+
+
 def test_a_sweep_through_itself_is_made_and_said(doc: Any) -> None:
     a = np.linspace(-0.6, np.pi + 0.6, 60)[:, None]  # half a figure of eight
     path = np.hstack([80 * np.sin(a), 40 * np.sin(2 * a), a])
