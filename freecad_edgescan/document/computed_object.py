@@ -58,6 +58,8 @@ class ComputedProxy:
     """
 
     PROPERTIES: ClassVar[tuple[Declared, ...]] = ()
+    PLAIN: ClassVar[bool] = True
+    """Whether the task needs nothing of FreeCAD's, and may run in another thread."""
 
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self

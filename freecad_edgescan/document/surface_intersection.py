@@ -68,6 +68,7 @@ class SurfaceIntersectionProxy(ComputedProxy):
     """What makes the object intersect."""
 
     PROPERTIES = _PROPERTIES
+    PLAIN = False
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces of both, and the tolerance."""

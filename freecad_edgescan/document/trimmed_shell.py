@@ -90,6 +90,7 @@ class TrimmedShellProxy(ComputedProxy):
     """What makes the object trim and sew."""
 
     PROPERTIES = _PROPERTIES
+    PLAIN = False
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces, all edges, and how they are joined."""

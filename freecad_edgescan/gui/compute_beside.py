@@ -37,9 +37,10 @@ def computing_beside(title: str) -> Callable[[list[Any]], None]:
 
     def compute(made: list[Any]) -> None:
         for item in made:
+            proxy = getattr(item, "Proxy", None)
             ready = not any("Touched" in source.State for source in item.OutList)
-            if isinstance(getattr(item, "Proxy", None), ComputedProxy) and ready:
-                write_computed(item, _computed(item.Proxy.task(item), title))
+            if isinstance(proxy, ComputedProxy) and proxy.PLAIN and ready:
+                write_computed(item, _computed(proxy.task(item), title))
 
     return compute
 
