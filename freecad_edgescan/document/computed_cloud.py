@@ -5,11 +5,11 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
 from numpy.typing import ArrayLike
 
 from .bridge import kernel_from_array
 from .computed_object import ComputedProxy, mark_as_computed
+from .native_curve import vector
 
 __all__ = ["ComputedCloudProxy", "write_points"]
 
@@ -32,5 +32,5 @@ def write_points(obj: Any, points: ArrayLike, message: str, origin: ArrayLike) -
     obj.Placement = placement
     obj.PointCount = int(obj.Points.CountPoints)
     obj.Message = message
-    obj.Origin = FreeCAD.Vector(*origin)
+    obj.Origin = vector(origin)
     mark_as_computed(obj)

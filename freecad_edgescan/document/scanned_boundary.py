@@ -111,7 +111,9 @@ def boundary_again(obj: Any, progress: Progress | None = None) -> list[ScannedEd
     ------
     ValueError: it cannot be scanned; the text says why.
     """
-    choices = {"min_angle": float(np.radians(obj.MinAngle.Value))} if obj.MinAngle.Value else {}
+    choices: dict[str, Any] = (
+        {"min_angle": float(np.radians(obj.MinAngle.Value))} if obj.MinAngle.Value else {}
+    )
     return scan_boundary(
         point_cloud(obj.Cloud), tuple(obj.At), tuple(obj.Inside), progress=progress, **choices
     )

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from .colours import EDGE
 from .icons import icon_path
+from .preferences import point_size
 
 __all__ = ["ViewProviderComputed"]
 
@@ -17,8 +19,11 @@ _ICONS = {
     "CloudSegmentProxy": "EdgeScan_CloudSegment",
     "CloudSectionProxy": "EdgeScan_CloudSection",
     "DeviationMapProxy": "EdgeScan_DeviationMap",
+    "SimulatedCloudProxy": "EdgeScan_SimulatedCloud",
+    "ThinnedCloudProxy": "EdgeScan_ThinCloud",
+    "CompensatedCloudProxy": "EdgeScan_CompensateCloud",
+    "ScannedBoundaryProxy": "EdgeScan_ScanBoundary",
 }
-_POINT_SIZE = 3.0
 
 
 class ViewProviderComputed:
@@ -31,7 +36,9 @@ class ViewProviderComputed:
         view_object.Proxy = self
         self.attach(view_object)
         if hasattr(view_object, "PointSize"):
-            view_object.PointSize = _POINT_SIZE
+            view_object.PointSize = float(point_size())
+        if type(view_object.Object.Proxy).__name__ == "ScannedBoundaryProxy":
+            view_object.LineColor, view_object.LineWidth = EDGE, 3.0
 
     def attach(self, view_object: Any) -> None:
         """FreeCAD shows the object for the first time; it draws shape and points itself."""

@@ -14,7 +14,7 @@ import FreeCADGui
 
 from .translation import translate
 
-__all__ = ["no_cloud", "no_document", "no_edge", "no_shape", "panel_open"]
+__all__ = ["no_cloud", "no_cloud_or_shape", "no_document", "no_shape", "panel_open"]
 
 
 def panel_open() -> str:
@@ -36,7 +36,9 @@ def no_cloud() -> str:
     return no_document() or (
         ""
         if _any_object(lambda item: item.isDerivedFrom("Points::Feature"))
-        else translate("This document has no point cloud. Import one first (EdgeScan → Import cloud).")
+        else translate(
+            "This document has no point cloud. Import one first (EdgeScan → Import cloud)."
+        )
     )
 
 
@@ -49,13 +51,9 @@ def no_shape() -> str:
     )
 
 
-def no_edge() -> str:
-    """The document has no scanned edge."""
-    return no_document() or (
-        ""
-        if _any_object(lambda item: type(getattr(item, "Proxy", None)).__name__ == "ScannedEdgeProxy")
-        else translate("This document has no scanned edge yet. Scan one first.")
-    )
+def no_cloud_or_shape() -> str:
+    """The document has no point cloud, or nothing with a shape to go with it."""
+    return no_cloud() or no_shape()
 
 
 def _any_object(meant: Any) -> bool:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the user has selected, in the order of selecting, and sentences when it is something else."""
+"""What the user has selected, in the order of selecting; sentences when it is something else."""
 
 from __future__ import annotations
 

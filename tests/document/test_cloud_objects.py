@@ -84,7 +84,7 @@ def test_a_file_in_another_unit_becomes_millimetres(
 
 
 def test_a_far_cloud_is_moved_near_the_origin_unless_it_shall_stay(doc: Any) -> None:
-    points = np.random.default_rng(0).random((30, 3)) + (4e5, 5e6, 0.0)
+    points = np.random.default_rng(0).random((30, 3)) + np.array([4e5, 5e6, 0.0])
     moved = document.make_cloud(doc, points)
     assert document.points_of(moved) == pytest.approx(points, abs=1e-6)
     stays = document.make_cloud(doc, points, near_origin=False)

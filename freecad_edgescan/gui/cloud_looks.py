@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Greys that let the shape of a cloud be seen, as if light fell on the surface it lies on."""
+"""How new clouds look: the size of their points, and greys that let their shape be seen."""
 
 from __future__ import annotations
 
@@ -10,24 +10,28 @@ import numpy as np
 from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
 
+from . import preferences
 from .picking import Array
 
-__all__ = ["brightness", "shade"]
+__all__ = ["brightness", "dress_clouds"]
 
-MOST_POINTS = 500_000  # above, it would take longer than reading the file
+MOST_POINTS = 500_000  # above, shading would take longer than reading the file
 _NEIGHBOURS = 9
 _CHUNK = 50_000
 _DARKEST = 0.35
 _LIGHT = np.array([0.4, -0.5, 0.77])
 
 
-def shade(clouds: list[Any]) -> None:
-    """Give cloud objects a property Color with their shading, and show it, unless too large."""
+def dress_clouds(clouds: list[Any]) -> None:
+    """Give cloud objects the user's point size, and their shading where it is wanted."""
     for cloud in clouds:
-        _shade_one(cloud)
+        cloud.ViewObject.PointSize = float(preferences.point_size())
+        if preferences.shades_clouds():
+            _shade(cloud)
 
 
-def _shade_one(cloud: Any) -> None:
+def _shade(cloud: Any) -> None:
+    """Give a plain cloud a property Color with its shading, and show it, unless too large."""
     numbers = document.point_cloud(cloud)
     if len(numbers) > MOST_POINTS or len(numbers) <= _NEIGHBOURS or hasattr(cloud, "Color"):
         return
