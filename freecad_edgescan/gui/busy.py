@@ -33,40 +33,65 @@ def result_of(calculate: Callable[[Any], Result], title: str) -> Result:
     ValueError: of the calculation.
     CancelledError: the user has cancelled.
     """
-    outcome: dict[str, Any] = {}
-    dialog = QtWidgets.QProgressDialog(FreeCADGui.getMainWindow())
-    dialog.setWindowTitle(title)
-    dialog.setLabelText(title)
-    dialog.setCancelButtonText(translate("Cancel"))
-    dialog.setWindowModality(QtCore.Qt.ApplicationModal)
-    dialog.setMinimumDuration(_PATIENCE)
-    dialog.setAutoReset(False)
-    dialog.setRange(0, 0)
-    work = Background(lambda progress: calculate(progress))
-    loop = QtCore.QEventLoop()
-
-    def advance(fraction: float, _so_far: object) -> None:
-        if np.isfinite(fraction):
-            dialog.setRange(0, 1000)
-            dialog.setValue(round(1000 * fraction))
-
-    work.advanced.connect(advance)
-    work.succeeded.connect(lambda result: outcome.update(result=result))
-    work.failed.connect(lambda sentence: outcome.update(problem=sentence))
-    work.finished.connect(loop.quit)
-    dialog.canceled.connect(loop.quit)
-    work.start()
-    loop.exec_() if hasattr(loop, "exec_") else loop.exec()
-    cancelled = dialog.wasCanceled()
-    if cancelled:
-        work.abandon()
-    else:
-        work.wait()
-        QtWidgets.QApplication.processEvents()  # the result may still be on its way
-    dialog.close()
-    dialog.deleteLater()
-    if cancelled:
+    waiting = _Waiting(calculate, title)
+    waiting.wait()
+    if waiting.cancelled:
         raise CancelledError
-    if "problem" in outcome:
-        raise ValueError(outcome["problem"])
-    return outcome["result"]  # type: ignore[no-any-return]
+    if waiting.problem:
+        raise ValueError(waiting.problem)
+    return waiting.result  # type: ignore[no-any-return]
+
+
+class _Waiting(QtCore.QObject):
+    """A QObject of the main thread: what the thread reports arrives here, not over there."""
+
+    def __init__(self, calculate: Callable[[Any], Any], title: str) -> None:
+        super().__init__()
+        self.result: Any = None
+        self.problem = ""
+        self.cancelled = False
+        self._loop = QtCore.QEventLoop()
+        self._dialog = QtWidgets.QProgressDialog(FreeCADGui.getMainWindow())
+        self._dialog.setWindowTitle(title)
+        self._dialog.setLabelText(title)
+        self._dialog.setCancelButtonText(translate("Cancel"))
+        self._dialog.setWindowModality(QtCore.Qt.ApplicationModal)
+        self._dialog.setMinimumDuration(24 * 3600 * 1000)  # shown below, when it is time
+        self._dialog.setAutoReset(False)
+        self._dialog.setRange(0, 0)
+        self._dialog.canceled.connect(self._cancel)
+        self._patience = QtCore.QTimer(self)
+        self._patience.setSingleShot(True)
+        self._patience.timeout.connect(self._dialog.show)
+        self._work = Background(lambda progress: calculate(progress))
+        self._work.advanced.connect(self._advance)
+        self._work.succeeded.connect(self._succeed)
+        self._work.failed.connect(self._fail)
+
+    def wait(self) -> None:
+        """Until the calculation is done or cancelled; the thread is gone then."""
+        self._patience.start(_PATIENCE)
+        self._work.start()
+        self._loop.exec_() if hasattr(self._loop, "exec_") else self._loop.exec()
+        self._patience.stop()
+        self._work.abandon()
+        self._dialog.canceled.disconnect(self._cancel)
+        self._dialog.close()
+        self._dialog.deleteLater()
+
+    def _advance(self, fraction: float, _so_far: object) -> None:
+        if np.isfinite(fraction):
+            self._dialog.setRange(0, 1000)
+            self._dialog.setValue(round(1000 * fraction))
+
+    def _succeed(self, result: Any) -> None:
+        self.result = result
+        self._loop.quit()
+
+    def _fail(self, sentence: str) -> None:
+        self.problem = sentence
+        self._loop.quit()
+
+    def _cancel(self) -> None:
+        self.cancelled = True
+        self._loop.quit()

@@ -77,12 +77,7 @@ def _simulate(doc: Any) -> None:
 
     QtWidgets.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
     try:
-        made = run_as_one_step(
-            doc,
-            translate("Simulated cloud"),
-            [dialog.line()],
-            lambda made: dress_clouds([cloud for cloud in made if cloud.Points.CountPoints]),
-        )
+        made = run_as_one_step(doc, translate("Simulated cloud"), [dialog.line()], dress_clouds)
     except BaseException:
         if is_new:
             FreeCAD.closeDocument(doc.Name)

@@ -9,13 +9,15 @@ import numpy as np
 
 from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.document.declared_properties import Declared, Role, declare
 
 from . import preferences
 from .picking import Array
 
-__all__ = ["brightness", "dress_clouds"]
+__all__ = ["brightness", "dress_clouds", "shade"]
 
 MOST_POINTS = 500_000  # above, shading would take longer than reading the file
+_COLOUR = Declared("ColorList", "Color", "Cloud", "Shading of the points", Role.HIDDEN_RESULT)
 _NEIGHBOURS = 9
 _CHUNK = 50_000
 _DARKEST = 0.35
@@ -26,17 +28,18 @@ def dress_clouds(clouds: list[Any]) -> None:
     """Give cloud objects the user's point size, and their shading where it is wanted."""
     for cloud in clouds:
         cloud.ViewObject.PointSize = float(preferences.point_size())
-        if preferences.shades_clouds():
-            _shade(cloud)
+        shade(cloud)
 
 
-def _shade(cloud: Any) -> None:
-    """Give a plain cloud a property Color with its shading, and show it, unless too large."""
-    numbers = document.point_cloud(cloud)
-    if len(numbers) > MOST_POINTS or len(numbers) <= _NEIGHBOURS or hasattr(cloud, "Color"):
+def shade(cloud: Any) -> None:
+    """Give a cloud a property Color with its shading, and show it: unless it has that already, is
+    too large, or the user does not want it."""
+    count = cloud.Points.CountPoints
+    known = len(getattr(cloud, "Color", ()))
+    if not preferences.shades_clouds() or not _NEIGHBOURS < count <= MOST_POINTS or known == count:
         return
-    cloud.addProperty("App::PropertyColorList", "Color", "Cloud", "Shading of the points", 1 + 4)
-    cloud.Color = [(float(grey),) * 3 for grey in brightness(numbers)]
+    declare(cloud, (_COLOUR,))
+    cloud.Color = [(float(grey),) * 3 for grey in brightness(document.point_cloud(cloud))]
     cloud.ViewObject.DisplayMode = "Color"
 
 

@@ -24,6 +24,7 @@ _ICONS = {
     "CompensatedCloudProxy": "EdgeScan_CompensateCloud",
     "ScannedBoundaryProxy": "EdgeScan_ScanBoundary",
 }
+_SHADED = ("SimulatedCloudProxy", "ThinnedCloudProxy", "CompensatedCloudProxy")
 
 
 class ViewProviderComputed:
@@ -46,6 +47,10 @@ class ViewProviderComputed:
 
     def updateData(self, obj: Any, name: str) -> None:
         """A map shows its colours as soon as it has them; points have no mode of their own."""
+        if name == "Points" and type(getattr(obj, "Proxy", None)).__name__ in _SHADED:
+            from .cloud_looks import shade
+
+            shade(obj)
         if name in ("Color", "Points") and type(getattr(obj, "Proxy", None)).__name__ in _ICONS:
             _show_points(obj.ViewObject, coloured=hasattr(obj, "Color"))
 
