@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from html import escape
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,8 @@ from freecad_edgescan.document.scanned_boundary import write_boundary
 from freecad_edgescan.scanning import ScannedEdge, scan_boundary
 
 from .click_panel import ClickPanel
+from .html_table import html_table
+from .length_field import length_text
 from .picking import Array
 from .recorded_step import as_literal, object_line, run_as_one_step
 from .shown import select_only
@@ -42,16 +45,24 @@ class BoundaryPanel(ClickPanel):
     def show_result(self, result: list[ScannedEdge]) -> str:
         """Draw all edge points; say what was found."""
         self.preview.show_edge(np.vstack([edge.points for edge in result]))
-        lines = [translate("{count} edges").format(count=len(result))]
-        for number, edge in enumerate(result, start=1):
-            micrometres = 1000.0 * float(edge.sigma.mean())
-            lines.append(
-                translate("{number}: {length:.2f} mm, mean sigma {sigma:.1f} µm").format(
-                    number=number, length=edge.length, sigma=micrometres
-                )
+        rows = [
+            (
+                translate("Edge {number}").format(number=number),
+                length_text(_length(edge)),
+                length_text(float(edge.sigma.mean())),
             )
-        said = dict.fromkeys(edge.message for edge in (result[0], result[-1]) if edge.message)
-        return "\n".join([*lines, "", *said])
+            for number, edge in enumerate(result, start=1)
+        ]
+        titles = (
+            translate("{count} edges").format(count=len(result)),
+            translate("Length"),
+            translate("Mean sigma"),
+        )
+        if _is_closed(result):
+            said = [translate("The boundary is closed.")]
+        else:
+            said = list(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
+        return html_table(titles, rows) + "".join(f"<p>{escape(text)}</p>" for text in said)
 
     def keep(self) -> None:
         """Make the boundary in one undo step."""
@@ -65,3 +76,15 @@ class BoundaryPanel(ClickPanel):
     def _hand_over(self, made: list[Any]) -> None:
         if self.up_to_date():
             write_boundary(made[0], self.result)
+
+
+def _length(edge: ScannedEdge) -> float:
+    """From vertex to vertex, mm."""
+    return float(np.linalg.norm(np.diff(edge.vertex_to_vertex, axis=0), axis=1).sum())
+
+
+def _is_closed(edges: list[ScannedEdge]) -> bool:
+    first, last = edges[0].vertices[0], edges[-1].vertices[1]
+    if edges[0].closed:
+        return True
+    return first is not None and last is not None and bool(np.allclose(first[0], last[0]))

@@ -92,8 +92,12 @@ class ClickPanel(QtCore.QObject):
         raise NotImplementedError
 
     def show_result(self, result: Any) -> str:
-        """Draw a result in the preview; the text that says what it is."""
+        """Draw a result in the preview; rich text that says what it is."""
         raise NotImplementedError
+
+    def after_result(self) -> str:
+        """What can be done now that there is a result."""
+        return translate("OK keeps this. Click elsewhere to begin again.")
 
     def keep(self) -> None:
         """Put the result into the document.
@@ -191,7 +195,7 @@ class ClickPanel(QtCore.QObject):
         self.result = result
         self.form.show_progress(False)
         self.form.show_text(self.show_result(result))
-        self.form.say(translate("OK keeps this. Click elsewhere to begin again."))
+        self.form.say(self.after_result())
         self._allow_ok()
 
     def _fail(self, sentence: str) -> None:
@@ -268,9 +272,8 @@ class _ClickForm(QtWidgets.QWidget):
         self._sentence.setFont(bold)
         self._progress = QtWidgets.QProgressBar()
         self._progress.setRange(0, 0)
-        self._text = QtWidgets.QPlainTextEdit()
+        self._text = QtWidgets.QTextEdit()
         self._text.setReadOnly(True)
-        self._text.setLineWrapMode(QtWidgets.QPlainTextEdit.WidgetWidth)
         self._text.setMinimumHeight(18 * self.fontMetrics().lineSpacing())
         column = QtWidgets.QVBoxLayout(self)
         for widget in (self._sentence, self._progress, self._text):
@@ -299,5 +302,5 @@ class _ClickForm(QtWidgets.QWidget):
 
     def show_text(self, text: str) -> None:
         """Show the answer, or hide the field when there is none."""
-        self._text.setPlainText(text)
+        self._text.setHtml(text)
         self._text.setVisible(bool(text))

@@ -32,8 +32,10 @@ def dress_clouds(clouds: list[Any]) -> None:
 
 
 def shade(cloud: Any) -> None:
-    """Give a cloud a property Color with its shading, and show it: unless it has that already, is
-    too large, or the user does not want it."""
+    """Give a cloud a property Color with its shading, and show it.
+
+    Not when it has that already, is too large, or the user does not want it.
+    """
     count = cloud.Points.CountPoints
     known = len(getattr(cloud, "Color", ()))
     if not preferences.shades_clouds() or not _NEIGHBOURS < count <= MOST_POINTS or known == count:

@@ -6,7 +6,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-import FreeCAD
 import numpy as np
 
 from freecad_edgescan.cloud import PointCloud
@@ -14,7 +13,7 @@ from freecad_edgescan.cloud.reading import UNITS
 
 from . import preferences
 from .form_dialog import FormDialog
-from .length_field import length_field, length_in
+from .length_field import length_field, length_in, length_text
 from .qt import QtWidgets
 from .translation import translate
 
@@ -84,7 +83,7 @@ class ImportDialog(FormDialog):
             translate("{names}: {count} points.").format(names=names, count=f"{count:,}")
         )
         size = scale * np.max([cloud.size for cloud in self._clouds.values()], axis=0)
-        text = " × ".join(_length(extent) for extent in size)
+        text = " × ".join(length_text(extent) for extent in size)
         if size.max() < _SMALLEST:
             text += "\n" + translate("That is very small. Is the file in metres?")
         elif size.max() > _LARGEST:
@@ -96,15 +95,10 @@ class ImportDialog(FormDialog):
                 "The points lie {distance} from the origin, where a document cannot keep them "
                 "exactly. Moved, they are exact; the cloud's property Origin holds the way back, "
                 "and exports use it."
-            ).format(distance=_length(far))
+            ).format(distance=length_text(far))
         )
 
 
 def _distance(cloud: PointCloud) -> float:
     """How far a cloud would be moved, in the unit of its file."""
     return float(np.linalg.norm(cloud.origin_hint))
-
-
-def _length(millimetres: float) -> str:
-    """A length in the units the user works in."""
-    return str(FreeCAD.Units.Quantity(float(millimetres), FreeCAD.Units.Length).UserString)

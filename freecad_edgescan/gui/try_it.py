@@ -137,8 +137,8 @@ class _Guide(QtWidgets.QFrame):
             ),
             translate(
                 "That is an edge: a native curve in the tree. Its properties say how exact it is "
-                "and why it ends. Scan the other rim, select both, and Loft makes the pipe's wall. "
-                "With your own scan, begin with Import cloud."
+                "and why it ends. Scan the other rim, too; Cross-section then finds the pipe's "
+                "profile between them. With your own scan, begin with Import cloud."
             ),
         )
         self._count.setText(translate("Step {number} of 3").format(number=self._step + 1))

@@ -82,7 +82,8 @@ def test_two_clicks_give_the_boundary_of_a_face_in_one_undo_step(
     assert "2 of 2" in shown.form.sentence
     block.click((10.0, 8.0, 12.0))
     block.wait_until(lambda: ok(shown).isEnabled())
-    assert "4 " in shown.form.text
+    assert "4 edges" in shown.form.text
+    assert "closed" in shown.form.text
     block.picture("scan_boundary")
     ok(shown).click()
     block.settle()

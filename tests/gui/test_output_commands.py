@@ -143,7 +143,6 @@ def test_try_it_leads_from_the_core_box_to_its_first_edge_and_leaves_nothing(
     window.picture("try_it_3")
     (edge,) = window.edges
     assert edge.PointCount > 50
-    del guide
     FreeCAD.closeDocument(window.doc.Name)
     window.wait_until(lambda: not guides())
 
@@ -156,7 +155,6 @@ def test_the_guide_goes_away_when_it_is_closed(workbench: Any, panels: list[Any]
     window.settle(0.3)
     (guide,) = guides()
     guide.finish.click()
-    del guide
     window.wait_until(lambda: not guides())
     FreeCAD.closeDocument(window.doc.Name)
     window.settle()
