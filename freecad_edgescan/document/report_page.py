@@ -157,7 +157,10 @@ def _surfaces(surfaces: Sequence[Any]) -> Iterable[str]:
     yield _table(("Object", "Compared with", "Average", "Maximum", "Root mean square"), rows, 2)
     for item in surfaces:
         if hasattr(item, "Deviations") and len(document_points_of(item)):
-            yield _picture(map_picture(item), f"{item.Label}: blue inside, red outside")
+            yield _picture(
+                map_picture(item),
+                f"{item.Label}: red on the side the surface faces, blue on the other",
+            )
 
 
 def _fitted_to(item: Any) -> str:

@@ -11,7 +11,7 @@ from .command import Command
 from .obstacles import no_cloud, panel_open
 from .recorded_step import object_line, run_as_one_step
 from .selected import chosen_cloud
-from .translation import translate
+from .translation import count_text, translate
 
 __all__ = ["cloud_commands"]
 
@@ -128,7 +128,7 @@ def _thin(doc: Any) -> None:
         translate(
             "{label} has {count} points. A pitch twice that of the cloud keeps a quarter of them. "
             "Edges are found best in the full cloud."
-        ).format(label=cloud.Label, count=f"{len(numbers):,}"),
+        ).format(label=cloud.Label, count=count_text(len(numbers))),
     )
     dialog.setObjectName("EdgeScanThinCloud")
     field = dialog.add(

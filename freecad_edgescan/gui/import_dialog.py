@@ -15,7 +15,7 @@ from . import preferences
 from .form_dialog import FormDialog
 from .length_field import length_field, length_in, length_text
 from .qt import QtWidgets
-from .translation import translate
+from .translation import count_text, translate
 
 __all__ = ["ImportDialog"]
 
@@ -80,7 +80,7 @@ class ImportDialog(FormDialog):
         count = sum(len(cloud) for cloud in self._clouds.values())
         names = ", ".join(path.name for path in self._clouds)
         self.sentence.setText(
-            translate("{names}: {count} points.").format(names=names, count=f"{count:,}")
+            translate("{names}: {count} points.").format(names=names, count=count_text(count))
         )
         size = scale * np.max([cloud.size for cloud in self._clouds.values()], axis=0)
         text = " × ".join(length_text(extent) for extent in size)

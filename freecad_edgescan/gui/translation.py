@@ -17,7 +17,9 @@ import FreeCADGui
 
 import freecad_edgescan
 
-__all__ = ["TRANSLATIONS", "learn_languages", "translate"]
+from .qt import QtCore
+
+__all__ = ["TRANSLATIONS", "count_text", "learn_languages", "translate"]
 
 TRANSLATIONS = Path(freecad_edgescan.__file__).resolve().parent.parent / "translations"
 
@@ -27,6 +29,11 @@ _learnt: list[Path] = []
 def translate(text: str, context: str = "EdgeScan") -> str:
     """A text in the language of FreeCAD's window; the text itself where there is no translation."""
     return str(FreeCAD.Qt.translate(context, text))
+
+
+def count_text(count: int) -> str:
+    """A whole number as the language writes it."""
+    return str(QtCore.QLocale().toString(int(count)))
 
 
 def learn_languages() -> None:

@@ -27,6 +27,11 @@ GUIDE_NAME = "EdgeScanGuide"
 _PITCH = 0.5  # mm
 _LOOK = 300  # ms between two looks at what the user has done
 _MARGIN = 24  # pixels
+# Its own colours: themes, light or dark, let frames and labels shine through.
+_STYLE = f"""
+#{GUIDE_NAME} {{ background: #204a87; border: 1px solid #729fcf; border-radius: 6px; }}
+#{GUIDE_NAME} QLabel {{ color: #ffffff; background: transparent; border: none; }}
+"""
 
 
 def try_it_command() -> Command:
@@ -79,8 +84,7 @@ class _Guide(QtWidgets.QFrame):
         self.setObjectName(GUIDE_NAME)
         self._doc_name = doc_name
         self._step = -1
-        self.setFrameShape(QtWidgets.QFrame.StyledPanel)
-        self.setAutoFillBackground(True)  # in the colours of the theme, light or dark
+        self.setStyleSheet(_STYLE)
         self._count = QtWidgets.QLabel()
         self._text = QtWidgets.QLabel()
         self._text.setWordWrap(True)
