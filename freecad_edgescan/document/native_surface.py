@@ -11,7 +11,7 @@ import Part
 from ..geometry import BSplineSurface
 from .native_curve import vector
 
-__all__ = ["native_surface", "surface_of", "surface_shape"]
+__all__ = ["as_nurbs", "native_surface", "surface_of", "surface_shape"]
 
 
 def native_surface(surface: BSplineSurface) -> Any:

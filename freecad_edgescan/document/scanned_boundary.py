@@ -26,6 +26,7 @@ from .native_edge import edge_shape
 __all__ = [
     "ScannedBoundaryProxy",
     "boundary_again",
+    "is_closed",
     "make_scanned_boundary",
     "write_boundary",
 ]
@@ -134,6 +135,17 @@ def write_boundary(obj: Any, edges: Sequence[ScannedEdge]) -> None:
     obj.EdgeCount, obj.Length = len(shapes), float(sum(own.Length for own in shapes))
     obj.MeanSigma, obj.LargestSigma = float(sigma.mean()), float(sigma.max())
     obj.Stops = [edges[0].stops[0].name, edges[-1].stops[1].name]
-    obj.Message = " ".join(dict.fromkeys(edge.message for edge in (edges[0], edges[-1])))
+    if is_closed(edges):
+        obj.Message = f"{len(edges)} edges, which close round the face."
+    else:
+        obj.Message = " ".join(dict.fromkeys(edge.message for edge in (edges[0], edges[-1])))
     obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
     mark_as_computed(obj)
+
+
+def is_closed(edges: Sequence[ScannedEdge]) -> bool:
+    """Whether edges in order end where they begin: a loop, or a vertex that first and last share."""
+    first, last = edges[0].vertices[0], edges[-1].vertices[1]
+    if edges[0].closed:
+        return True
+    return first is not None and last is not None and bool(np.allclose(first[0], last[0]))

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from freecad_edgescan.cloud import PointCloud
-from freecad_edgescan.document.scanned_boundary import write_boundary
+from freecad_edgescan.document.scanned_boundary import is_closed, write_boundary
 from freecad_edgescan.scanning import ScannedEdge, scan_boundary
 
 from .click_panel import ClickPanel
@@ -58,7 +58,7 @@ class BoundaryPanel(ClickPanel):
             translate("Length"),
             translate("Mean sigma"),
         )
-        if _is_closed(result):
+        if is_closed(result):
             said = [translate("The boundary is closed.")]
         else:
             said = list(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
@@ -81,10 +81,3 @@ class BoundaryPanel(ClickPanel):
 def _length(edge: ScannedEdge) -> float:
     """From vertex to vertex, mm."""
     return float(np.linalg.norm(np.diff(edge.vertex_to_vertex, axis=0), axis=1).sum())
-
-
-def _is_closed(edges: list[ScannedEdge]) -> bool:
-    first, last = edges[0].vertices[0], edges[-1].vertices[1]
-    if edges[0].closed:
-        return True
-    return first is not None and last is not None and bool(np.allclose(first[0], last[0]))

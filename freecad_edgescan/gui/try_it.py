@@ -66,6 +66,8 @@ def _try_it(_doc: Any) -> None:
     view.fitAll()
     window = FreeCADGui.getMainWindow()
     area = window.findChild(QtWidgets.QMdiArea)
+    for older in area.findChildren(QtWidgets.QFrame, GUIDE_NAME):
+        older.finish.click()
     guide = _Guide(area, doc.Name)
     guide.show()
     guide.raise_()

@@ -244,3 +244,19 @@ def test_a_problem_of_a_calculation_is_raised_where_it_was_asked_for(workbench: 
 
     with pytest.raises(ValueError, match="cannot be"):
         result_of(refuse, "Waiting")
+
+
+def test_lengths_are_asked_for_and_shown_in_the_users_units(workbench: Any) -> None:
+    from freecad_edgescan.gui.length_field import length_field, length_in, length_text
+
+    usual = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
+    try:
+        FreeCAD.Units.setSchema(3)  # inches
+        field = length_field(25.4)
+        assert field.text().startswith("1.00")
+        assert not field.text().endswith("mm")
+        assert length_text(50.8).startswith("2.00")
+        assert length_in(field) == pytest.approx(25.4)
+    finally:
+        FreeCAD.Units.setSchema(usual)
+    field.deleteLater()

@@ -109,6 +109,7 @@ def test_a_right_click_offers_what_goes_with_clouds_and_edges(window: Any, edge:
     Gui.Selection.addSelection(edge)
     assert {"EdgeScan_ScanEdge", "EdgeScan_Sweep"} <= set(for_selection())
     assert set(for_selection()) <= set(Gui.listCommands())
+    Gui.activeWorkbench().ContextMenu("View")
 
 
 def guides() -> list[Any]:
@@ -151,10 +152,13 @@ def test_the_guide_goes_away_when_it_is_closed(workbench: Any, panels: list[Any]
     from .conftest import Window
 
     Gui.runCommand("EdgeScan_TryIt")
+    first = FreeCAD.ActiveDocument.Name
+    Gui.runCommand("EdgeScan_TryIt")
     window = Window(FreeCAD.ActiveDocument, panels)
     window.settle(0.3)
     (guide,) = guides()
     guide.finish.click()
     window.wait_until(lambda: not guides())
-    FreeCAD.closeDocument(window.doc.Name)
+    for name in (first, window.doc.Name):
+        FreeCAD.closeDocument(name)
     window.settle()
