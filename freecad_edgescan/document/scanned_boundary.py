@@ -144,7 +144,7 @@ def write_boundary(obj: Any, edges: Sequence[ScannedEdge]) -> None:
 
 
 def is_closed(edges: Sequence[ScannedEdge]) -> bool:
-    """Whether edges in order end where they begin: a loop, or a vertex that first and last share."""
+    """Whether edges in order end where they begin: one loop, or a vertex shared by the last."""
     first, last = edges[0].vertices[0], edges[-1].vertices[1]
     if edges[0].closed:
         return True
