@@ -87,7 +87,8 @@ class ComputedProxy:
 
     def _compute_if_changed(self, obj: Any) -> str | None:
         try:
-            if self.is_empty(obj) or obj.InputHash != _hash(self.depends_on(obj)):
+            inputs = _hash(self.depends_on(obj))  # refuses what is missing
+            if self.is_empty(obj) or obj.InputHash != inputs:
                 self.compute(obj)
                 mark_as_computed(obj)
         except ValueError as error:

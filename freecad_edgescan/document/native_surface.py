@@ -11,7 +11,7 @@ import Part
 from ..geometry import BSplineSurface
 from .native_curve import vector
 
-__all__ = ["native_surface", "surface_of", "surface_shape"]
+__all__ = ["as_nurbs", "native_surface", "surface_of", "surface_shape"]
 
 
 def native_surface(surface: BSplineSurface) -> Any:
@@ -38,6 +38,14 @@ def surface_shape(surface: BSplineSurface) -> Any:
     return native_surface(surface).toShape()
 
 
+def as_nurbs(face: Any) -> Any:
+    """A face as the B-spline it is, without the triangles it is shown by.
+
+    Of a face with triangles OpenCASCADE 7.8 makes one without a surface.
+    """
+    return face.copy(True, False).toNurbs()
+
+
 def surface_of(shape: Any, what: str = "surface") -> BSplineSurface:
     """The exact B-spline surface of a shape's only face.
 
@@ -62,7 +70,7 @@ def surface_of(shape: Any, what: str = "surface") -> BSplineSurface:
             f"The {what} has {len(faces)} faces and must have one; "
             + ("choose one of them." if faces else "recompute the document, or choose another.")
         )
-    (converted,) = faces[0].toNurbs().Faces
+    (converted,) = as_nurbs(faces[0]).Faces
     native = converted.Surface
     wanted, whole = np.array(converted.ParameterRange), np.array(native.bounds())
     slack = 1e-9 * np.repeat(whole[1::2] - whole[::2], 2)
