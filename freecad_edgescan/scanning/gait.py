@@ -83,7 +83,9 @@ class AdaptiveGait:
                 if stop is None:
                     return [_steered(last, predicted[k], measured[k], each)]
         bent = _round_a_bend(section, last, 0.5 * pitch, self.half_width)
-        return [replace(last, stop=section.ending(last, stop)) if bent is None else bent]
+        if bent is not None:
+            return [bent]
+        return [replace(last, stop=section.ending(last, stop or Stop.LOST))]
 
     def _run_on(
         self, section: Section, last: Station, step: float, count: int

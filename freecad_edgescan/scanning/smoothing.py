@@ -160,7 +160,7 @@ class _Neighbours:
         size = np.sqrt(4.0 * half[:, :, None] * half[:, None])
         overlap = np.clip(common / size, 0.0, 1.0)
         overlap[:, np.arange(len(step)), np.arange(len(step))] = 1.0
-        shared = shared_between(count, closed, 2 * reach)
+        shared = shared_between(count, closed, 2 * reach, measured.asked)
         earlier = which[:, np.minimum(np.arange(len(step))[:, None], np.arange(len(step)))]
         return _Neighbours(
             reach,

@@ -101,7 +101,9 @@ def straight_sections(seed=None):
     if seed is not None:
         scatter = SIGMA * np.random.default_rng(seed).normal(size=(count, 2))
     axes = across_axes(frames.normals)
-    measured = SimpleNamespace(frames=frames, at=origin[:, 0], half_length=np.full(count, 0.25))
+    measured = SimpleNamespace(
+        frames=frames, at=origin[:, 0], half_length=np.full(count, 0.25), asked=8
+    )
     edge = SimpleNamespace(
         point=origin + np.einsum("ma,mai->mi", scatter, axes),
         covariance=np.broadcast_to(SIGMA**2 * np.eye(2), (count, 2, 2)),
