@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
-
-from .bridge import kernel_from_array, origin_of
+from .bridge import origin_of
 from .cloud_cache import cloud_checksum
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_cloud import ComputedCloudProxy, write_points
+from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .points_near_base import points_near_base
@@ -63,14 +62,10 @@ def make_cloud_segment(
     return obj
 
 
-class CloudSegmentProxy(ComputedProxy):
+class CloudSegmentProxy(ComputedCloudProxy):
     """What makes the object cut its cloud."""
 
     PROPERTIES = _PROPERTIES
-
-    def is_empty(self, obj: Any) -> bool:
-        """Whether it has no points."""
-        return int(obj.Points.CountPoints) == 0
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, base surface and distance."""
@@ -86,9 +81,4 @@ class CloudSegmentProxy(ComputedProxy):
 
     def write(self, obj: Any, result: Any) -> None:
         """Write the points."""
-        placement = obj.Placement
-        obj.Points = kernel_from_array(result)
-        obj.Placement = placement
-        obj.PointCount = len(result)
-        obj.Message = ""
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+        write_points(obj, result, "", origin_of(obj.Cloud))

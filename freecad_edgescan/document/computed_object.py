@@ -101,7 +101,8 @@ class ComputedProxy:
 
     def _compute_if_changed(self, obj: Any) -> str | None:
         try:
-            if self.is_empty(obj) or obj.InputHash != _hash(self.depends_on(obj)):
+            inputs = _hash(self.depends_on(obj))  # refuses what is missing
+            if self.is_empty(obj) or obj.InputHash != inputs:
                 write_computed(obj, self.task(obj)(None))
         except ValueError as error:
             obj.InputHash = ""

@@ -12,7 +12,6 @@ from os import PathLike
 from pathlib import Path
 from typing import Any
 
-import FreeCAD
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -21,13 +20,13 @@ from ..cloud.progress import Stage
 from ..experiments.deviation_picture import draw_deviations
 from ..scanning import Progress
 from ..surfacing import Deviation
-from .bridge import kernel_from_array, origin_of, points_of
+from .bridge import origin_of, points_of
 from .cloud_cache import cloud_checksum, point_cloud
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_cloud import ComputedCloudProxy, write_points
+from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared, Role
 from .deviation_from_shape import MeasurableShape, write_deviations
-from .linked_geometry import require_cloud, require_shape
-from .native_surface import surface_of
+from .linked_geometry import require_cloud, require_shape, shape_inputs
 
 __all__ = [
     "DeviationMapProxy",
@@ -114,24 +113,17 @@ def make_deviation_map(
     return obj
 
 
-class DeviationMapProxy(ComputedProxy):
+class DeviationMapProxy(ComputedCloudProxy):
     """What makes the object measure."""
 
     PROPERTIES = _PROPERTIES
-
-    def is_empty(self, obj: Any) -> bool:
-        """Whether it has no points."""
-        return int(obj.Points.CountPoints) == 0
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, all faces of the surface, reach and limit."""
         if obj.Cloud is None or obj.Surface is None:
             raise ValueError("A cloud or surface is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
-        shape = obj.Surface.Shape
-        for face in [] if shape.isNull() else shape.Faces:
-            yield surface_of(face)
-            yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
+        yield from shape_inputs(obj.Surface.Shape)
         yield from (obj.Reach.Value, obj.Limit.Value)
 
     def task(self, obj: Any) -> Task:
@@ -160,18 +152,15 @@ class DeviationMapProxy(ComputedProxy):
         """Write points, colours and figures."""
         values = result.deviation
         limit = obj.Limit.Value or float(np.percentile(np.abs(values), _FULL)) or 1e-3
-        placement = obj.Placement
-        obj.Points = kernel_from_array(result.points)
-        obj.Placement = placement
+        left = result.left_out
+        message = f"{left} points beyond the rim or the reach were left out." if left else ""
+        write_points(obj, result.points, message, origin_of(obj.Cloud))
         obj.Deviations = values.tolist()
         counts, _ = np.histogram(np.clip(values, -limit, limit), _BINS, (-limit, limit))
         obj.Histogram = counts.tolist()
         obj.Average, obj.Maximum = float(np.abs(values).mean()), float(np.abs(values).max())
         obj.RootMeanSquare = float(np.sqrt(np.mean(values**2)))
-        obj.Mean, obj.LimitUsed, obj.PointCount = float(values.mean()), limit, len(values)
-        left = result.left_out
-        obj.Message = f"{left} points beyond the rim or the reach were left out." if left else ""
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+        obj.Mean, obj.LimitUsed = float(values.mean()), limit
         obj.Color = [tuple(row) for row in deviation_colours(values, limit).tolist()]
 
 

@@ -17,8 +17,7 @@ from ..scanning import Progress
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
-from .linked_geometry import require_shape
-from .native_surface import surface_of
+from .linked_geometry import require_shape, shape_inputs
 
 __all__ = ["SurfaceIntersectionProxy", "make_surface_intersection"]
 
@@ -73,8 +72,7 @@ class SurfaceIntersectionProxy(ComputedProxy):
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces of both, and the tolerance."""
         for face in (*_faces(obj.First), *_faces(obj.Second)):
-            yield surface_of(face)
-            yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
+            yield from shape_inputs(face)
         yield obj.Tolerance.Value
 
     def task(self, obj: Any) -> Task:

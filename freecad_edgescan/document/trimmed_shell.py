@@ -22,7 +22,7 @@ from ..geometry import BSplineCurve, BSplineSurface
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
-from .linked_geometry import linked_curve, require_shape
+from .linked_geometry import linked_curve, require_shape, shape_inputs
 from .native_surface import surface_of
 
 __all__ = ["TrimmedShellProxy", "make_trimmed_shell"]
@@ -95,8 +95,7 @@ class TrimmedShellProxy(ComputedProxy):
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces, all edges, and how they are joined."""
         for _, face in _faces(obj.Surfaces):
-            yield surface_of(face)
-            yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
+            yield from shape_inputs(face)
         yield from (linked_curve(edge, "edge") for edge in obj.Edges)
         yield from (obj.Tolerance.Value, obj.Solid)
 

@@ -17,6 +17,8 @@ from pivy import coin
 
 from freecad_edgescan.document.deviation_map import deviation_colours
 
+from .translation import translate
+
 __all__ = ["DeviationLegend", "tick_labels"]
 
 Array = NDArray[np.float64]
@@ -94,7 +96,11 @@ class DeviationLegend:
         for height, label in zip(np.linspace(_LOW, _HIGH, _TICKS), labels, strict=True):
             self._add(_text(label, end + 0.012, float(height) - 0.012))
         self._add(_text(title, _LEFT + 0.012, _HIGH + 1.1 * _ROOM))
-        self._add(_text(f"deviation, {unit}", _LEFT + 0.012, _HIGH + 0.5 * _ROOM))
+        self._add(
+            _text(
+                translate("deviation, {unit}").format(unit=unit), _LEFT + 0.012, _HIGH + 0.5 * _ROOM
+            )
+        )
 
     def _add(self, node: Any) -> None:
         self._drawn.addChild(node)

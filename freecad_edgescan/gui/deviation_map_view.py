@@ -5,20 +5,21 @@ from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
 import FreeCADGui
 import numpy as np
 
 from freecad_edgescan import document
+from freecad_edgescan.document.declared_properties import Declared, declare
 
 from .computed_view import ViewProviderComputed
 from .deviation_legend import DeviationLegend
 from .message import problems_shown
 from .qt import QtWidgets
+from .translation import translate
 
 __all__ = ["ViewProviderDeviationMap"]
 
-_FILES = "Table (*.csv);;Picture with histogram (*.png *.svg *.pdf)"
+_LEGEND = Declared("Bool", "Legend", "Object Style", "Show colour bar and histogram")
 
 
 class ViewProviderDeviationMap(ViewProviderComputed):
@@ -31,9 +32,7 @@ class ViewProviderDeviationMap(ViewProviderComputed):
         """FreeCAD shows the map for the first time: the legend becomes part of its scene."""
         super().attach(view_object)
         if "Legend" not in view_object.PropertiesList:
-            view_object.addProperty(
-                "App::PropertyBool", "Legend", "Object Style", "Show colour bar and histogram"
-            )
+            declare(view_object, (_LEGEND,))
             view_object.Legend = True
         if not hasattr(self, "legend"):
             self.legend = DeviationLegend()
@@ -53,7 +52,7 @@ class ViewProviderDeviationMap(ViewProviderComputed):
 
     def setupContextMenu(self, view_object: Any, menu: Any) -> None:
         """Offer to write the deviations into a file."""
-        action = menu.addAction(FreeCAD.Qt.translate("EdgeScan_DeviationMap", "Save deviations…"))
+        action = menu.addAction(translate("Save deviations…"))
         action.triggered.connect(lambda *_: _save(view_object.Object))
 
     def _draw(self) -> None:
@@ -82,9 +81,12 @@ def _arrange(doc: Any) -> None:
 
 def _save(obj: Any) -> None:
     """Ask for a file, and write the deviations into it."""
-    title = FreeCAD.Qt.translate("EdgeScan_DeviationMap", "Save deviations")
+    title = translate("Save deviations")
+    kinds = (
+        f"{translate('Table')} (*.csv);;{translate('Picture with histogram')} (*.png *.svg *.pdf)"
+    )
     path, _ = QtWidgets.QFileDialog.getSaveFileName(
-        FreeCADGui.getMainWindow(), title, f"{obj.Label}.csv", _FILES
+        FreeCADGui.getMainWindow(), title, f"{obj.Label}.csv", kinds
     )
     if path:
         with problems_shown(title):

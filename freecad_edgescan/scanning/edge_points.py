@@ -11,6 +11,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -58,6 +59,7 @@ class Measured:
     fits : the sides
     noise : (m, 2) standard deviation of the points about the sides, mm
     half_length : (m,) how far along the edge, to both sides, the points of a fit reach, mm
+    asked : sections on each side that most of them ask about their sides' curvature
     supplied : (m,) whether both sides have points in the section itself
     at : (m,) places of the sections along the edge, mm
     extent : places along the edge between which both sides have points, mm
@@ -69,6 +71,7 @@ class Measured:
     fits: SideFits
     noise: np.ndarray
     half_length: np.ndarray
+    asked: int
     supplied: np.ndarray
     at: np.ndarray
     extent: tuple[float, float]
@@ -125,13 +128,8 @@ def _measure(
 ) -> Measured:
     """Fit every section on those points (n,) bool that are the sides', where these are smooth."""
     own = sum_stretches(evened_moments(points[used], path, settings), pooled.stretch)
-    fits, borrowed_from = _supplied_fits(
-        own,
-        pooled,
-        shared_curvature(pooled, path, settings.half_width),
-        path,
-        settings.half_width,
-    )
+    *curvature, asked = shared_curvature(pooled, path, settings.half_width)
+    fits, borrowed_from = _supplied_fits(own, pooled, curvature, path, settings.half_width)
     removed = ~used | ~_in_stretch(points, fits)
     local = np.sqrt(pooled.variance) * pooled.reach
     supplied = np.all(own[..., 0] >= _SUPPLIED, axis=1)
@@ -142,6 +140,7 @@ def _measure(
         fits,
         local,
         settings.half_width + borrowed_from * path.spacing,
+        asked,
         supplied,
         path.at,
         extent,
@@ -190,7 +189,7 @@ def _strip(
 def _supplied_fits(
     own: np.ndarray,
     pooled: SideFits,
-    curvature: tuple[np.ndarray, np.ndarray],
+    curvature: Sequence[np.ndarray],
     path: EdgePath,
     half_width: float,
 ) -> tuple[SideFits, np.ndarray]:

@@ -75,8 +75,11 @@ class ProbeSection:
             frame, line=line, stop=Stop.NO_EDGE if away > self.settings.amplitude else None
         )
 
-    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
-        """Scan the next line, towards a predicted edge point."""
+    def measure(self, predicted: Frames, half_width: np.ndarray, last: Station) -> list[Station]:
+        """Scan the next line, towards the one predicted edge point."""
+        return [self._next_line(predicted, last)]
+
+    def _next_line(self, predicted: Frames, last: Station) -> Station:
         before = last.line
         if before is None:
             raise TypeError("a probed scan goes on from a line")

@@ -29,6 +29,7 @@ _LENGTHS = (0.3, 0.5, 0.75, 1.0)  # of the longest stretch, that are tried
 _AGREE = 9.2  # squared Mahalanobis distance beyond which two estimates differ (99 %)
 _ASTRAY = 16.0  # the same, of a point from what its neighbours say of it
 _MOST_MISFIT = 2.0  # variances, of those whose word is taken
+_EACH_WAY = 2  # neighbours on each side, at least, who say it
 # So many such points in a row are a mistake: stretches of the sides are decided for three sections
 # at a time. More of them are the edge.
 _FEW = 4
@@ -79,7 +80,9 @@ def smoothed(
         value, covariance = mean.value, mean.covariance
         agrees = found.copy()
         for before, other, known in zip(values, means, good, strict=True):
-            agrees &= (_distance(value - before, mean.difference(other)) <= _AGREE) | ~known
+            # One section in a hundred is farther off by chance alone; that is no change.
+            limit = _ASTRAY if other is means[0] else _AGREE
+            agrees &= (_distance(value - before, mean.difference(other)) <= limit) | ~known
         better = agrees & _smaller(covariance, np.array(covariances)[taken, np.arange(len(taken))])
         better |= agrees & alone & (taken == 0)
         values.append(value)
@@ -157,7 +160,7 @@ class _Neighbours:
         size = np.sqrt(4.0 * half[:, :, None] * half[:, None])
         overlap = np.clip(common / size, 0.0, 1.0)
         overlap[:, np.arange(len(step)), np.arange(len(step))] = 1.0
-        shared = shared_between(count, closed, 2 * reach)
+        shared = shared_between(count, closed, 2 * reach, measured.asked)
         earlier = which[:, np.minimum(np.arange(len(step))[:, None], np.arange(len(step)))]
         return _Neighbours(
             reach,
@@ -259,6 +262,9 @@ def _astray(near: _Neighbours, degree: int) -> np.ndarray:
     # What its neighbours say of a section's point, whose own place is zero.
     said = near.mean(weight)
     far = found & (_distance(said.value, said.difference(near.mean(near.own()))) > _ASTRAY)
+    # What is drawn out beyond those it was fitted to says nothing.
+    beside = np.stack([others[:, : near.reach], others[:, near.reach + 1 :]]).sum(axis=2)
+    far &= beside.min(axis=0) >= _EACH_WAY
     # Where the edge is no parabola, as where a line becomes an arc, its neighbours say nothing.
     far &= near.misfit(others, degree) < _MOST_MISFIT
     single = far.copy()

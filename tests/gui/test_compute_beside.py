@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import threading
 import time
 from typing import Any
 
@@ -12,14 +13,15 @@ FreeCAD = pytest.importorskip("FreeCAD")
 Gui = pytest.importorskip("FreeCADGui")
 Part = pytest.importorskip("Part")
 
-from freecad_edgescan.gui import compute_beside  # noqa: E402
+from freecad_edgescan.gui import busy  # noqa: E402
+from freecad_edgescan.gui.message import CancelledError  # noqa: E402
 from freecad_edgescan.gui.qt import QtCore, QtWidgets  # noqa: E402
 
 
 @pytest.fixture(autouse=True)
 def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
     """The dialog is shown at once."""
-    monkeypatch.setattr(compute_beside, "_SILENT", 1)
+    monkeypatch.setattr(busy, "_PATIENCE", 1)
 
 
 def slow(steps: int, asked: list[float]) -> Any:
@@ -48,17 +50,19 @@ def press_cancel() -> None:
 def test_the_result_comes_back_and_the_dialog_goes(window: Any) -> None:
     seen: list[int] = []
     QtCore.QTimer.singleShot(200, lambda: seen.append(len(dialogs())))
-    assert compute_beside._computed(slow(40, []), "Swept surface") == 40
+    assert busy.result_of(slow(40, []), "Swept surface") == 40
     window.settle()
     assert seen == [1] and dialogs() == []
 
 
-def test_cancel_ends_the_task_and_raises_nothing_to_say(window: Any) -> None:
+def test_cancel_ends_the_task_leaves_no_thread_and_raises_nothing_to_say(window: Any) -> None:
     asked: list[float] = []
+    threads = threading.active_count()
     QtCore.QTimer.singleShot(200, press_cancel)
-    with pytest.raises(compute_beside.CancelledByUserError):
-        compute_beside._computed(slow(1000, asked), "Swept surface")
+    with pytest.raises(CancelledError):
+        busy.result_of(slow(1000, asked), "Swept surface")
     assert len(asked) < 500
+    assert threading.active_count() <= threads
     window.settle()
     assert dialogs() == []
 
@@ -68,7 +72,7 @@ def test_a_refusal_in_the_task_is_raised_where_the_command_is(window: Any) -> No
         raise ValueError("The rails are closed.")
 
     with pytest.raises(ValueError, match="rails are closed"):
-        compute_beside._computed(task, "Swept surface")
+        busy.result_of(task, "Swept surface")
 
 
 def test_a_cancelled_command_leaves_no_trace(

@@ -98,6 +98,7 @@ def test_from_rails_to_a_deviation_map(pipe: dict[str, Any]) -> None:
 def test_with_the_wrong_selection_one_sentence_says_what_to_select(
     window: Any, name: str, problems: list[str]
 ) -> None:
+    feature(window.doc, Part.makeLine(V(0, 0, 0), V(9, 0, 0)), "Line")
     before = window.trace()
     select()
     clouds = window.doc.findObjects("Points::Feature")
