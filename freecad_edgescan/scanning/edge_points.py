@@ -40,7 +40,7 @@ _NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
 _SUPPLIED = 3  # points of a side below which a section bridges a gap
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 # Ends at which the sides go on.
-_GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
+GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
 _MOSTLY, _SOME = 0.5, 0.05  # shares of the sections
 _BESIDE = 11  # sections whose roundings are alike
 _MOST_ROUNDED = 0.6  # of a side
@@ -180,7 +180,7 @@ def _strip(
     # cloud ends they may still, and only those that are clearly on the sides are taken.
     clear = [settings.cloud_pitch * (end is Stop.CORNER) for end in path.ends]
     plausible &= (place >= first + clear[0]) & (place <= last - clear[1])
-    clear = [settings.cloud_pitch * (end not in _GIVEN_ENDS) for end in path.ends]
+    clear = [settings.cloud_pitch * (end not in GIVEN_ENDS) for end in path.ends]
     inside = (place >= first + clear[0]) & (place <= last - clear[1])
     plausible &= inside | _plausible(path.frames, points, settings, noise, _SURELY)
     return points, plausible, extent
@@ -251,7 +251,7 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
     place = path.at[points.owner] + points.along
     extent = [-np.inf, np.inf]
     for k, end in enumerate(path.ends):
-        if end in _GIVEN_ENDS:
+        if end in GIVEN_ENDS:
             continue
         near = points.away < (_NEAR_END * cloud_pitch if end is Stop.CORNER else np.inf)
         sides = [np.sort(place[near & (points.side == side)]) for side in range(2)]

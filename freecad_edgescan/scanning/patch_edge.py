@@ -15,7 +15,7 @@ from .corner import largest_sigma, turned_covariance
 from .edge_ends import Vertices, corners_at, vertices_of, walked_to_vertices
 from .edge_gate import EdgeGate, until
 from .edge_path import path_along
-from .edge_points import Measured, measure_together
+from .edge_points import GIVEN_ENDS, Measured, measure_together
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge, Vertex
 from .section import SectionPoints, frames_from_sides
@@ -70,7 +70,12 @@ def finish_edge(
     # The path knows the edge's direction from all its points, a section only from its own.
     straight = simplest_curve(edge.point, largest_sigma(edge.covariance), trace.closed)
     smooth = smoothed(
-        measured, edge, settings.cloud_pitch, trace.closed, isinstance(straight, Line)
+        measured,
+        edge,
+        settings.cloud_pitch,
+        trace.closed,
+        isinstance(straight, Line),
+        (trace.stops[0] not in GIVEN_ENDS, trace.stops[1] not in GIVEN_ENDS),
     )
     standing = frames_from_sides(smooth.point, frames.tangent, edge.sides)
     normals = -standing.normals if convex is False else standing.normals

@@ -50,7 +50,12 @@ class Smoothed:
 
 
 def smoothed(
-    measured: Measured, edge: Corners, cloud_pitch: float, closed: bool, straight: bool
+    measured: Measured,
+    edge: Corners,
+    cloud_pitch: float,
+    closed: bool,
+    straight: bool,
+    ending: tuple[bool, bool] = (True, True),
 ) -> Smoothed:
     """Smooth edge points along the edge.
 
@@ -61,13 +66,14 @@ def smoothed(
     cloud_pitch : mm
     closed : whether the last one leads back to the first
     straight : whether all of them are known to lie on one straight line
+    ending : whether the edge ends there, at its start and end, rather than having been left
     """
     raw = Smoothed(edge.point, edge.covariance)
     near = _Neighbours.around(measured, edge, _FARTHEST * cloud_pitch, closed, straight)
     if near is None:
         return raw
     degree = 1 if straight else 2
-    trusted = near.inside & ~_astray(near, degree)
+    trusted = near.inside & ~_astray(near, degree, ending)
     values, covariances = [np.zeros_like(near.off[:, 0])], [edge.covariance]
     means = [near.mean(near.own())]
     taken = np.zeros(len(edge.point), dtype=np.int64)
@@ -254,7 +260,7 @@ def _common(
     )
 
 
-def _astray(near: _Neighbours, degree: int) -> np.ndarray:
+def _astray(near: _Neighbours, degree: int, ending: tuple[bool, bool]) -> np.ndarray:
     """Which neighbours (m, k) are among few points that the others say are somewhere else."""
     # What is mistaken together is not asked about itself.
     others = near.inside & ~near.within(min(_FEW, near.reach // 3))
@@ -262,9 +268,12 @@ def _astray(near: _Neighbours, degree: int) -> np.ndarray:
     # What its neighbours say of a section's point, whose own place is zero.
     said = near.mean(weight)
     far = found & (_distance(said.value, said.difference(near.mean(near.own()))) > _ASTRAY)
-    # What is drawn out beyond those it was fitted to says nothing.
-    beside = np.stack([others[:, : near.reach], others[:, near.reach + 1 :]]).sum(axis=2)
-    far &= beside.min(axis=0) >= _EACH_WAY
+    # What is drawn out beyond those it was fitted to says little. It is asked only where the edge
+    # ends, and the next surface may have got in.
+    for ends, beside in zip(
+        ending, (others[:, : near.reach], others[:, -near.reach :]), strict=True
+    ):
+        far &= ends | (beside.sum(axis=1) >= _EACH_WAY)
     # Where the edge is no parabola, as where a line becomes an arc, its neighbours say nothing.
     far &= near.misfit(others, degree) < _MOST_MISFIT
     single = far.copy()
