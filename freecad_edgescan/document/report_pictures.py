@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from ..cloud import PointCloud
 from ..experiments.cloud_picture import draw_cloud
-from ..experiments.deviation_picture import draw_deviations
 from ..experiments.edge_picture import draw_edges
 from ..experiments.figures import can_draw, new_figure, save_figure
 from .bridge import document_points_of
+from .deviation_map import save_deviation_map
 
 __all__ = ["along_picture", "cloud_picture", "map_picture"]
 
@@ -71,14 +71,11 @@ def along_picture(edge: Any) -> str:
 
 
 def map_picture(deviation_map: Any) -> str:
-    """A deviation map and its histogram, as the source of an <img>."""
+    """A deviation map in its colours and its histogram, as the source of an <img>."""
     points = document_points_of(deviation_map)
-    values = np.array(deviation_map.Deviations, dtype=float)
     flattest = np.linalg.svd(points - points.mean(axis=0), full_matrices=False)[2][2]
     view = flattest * (1.0 if flattest[2] >= 0.0 else -1.0)
-    return _as_source(
-        lambda path: draw_deviations({deviation_map.Label: (points, values)}, path, view)
-    )
+    return _as_source(lambda path: save_deviation_map(deviation_map, path, view))
 
 
 def _rows(vectors: Sequence[Any]) -> Array:
