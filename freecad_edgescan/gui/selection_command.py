@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import Any
 
 from .command import Command
-from .compute_beside import computing_beside
 from .obstacles import no_document
 from .recorded_step import run_as_one_step
 from .selected import selected_objects
@@ -38,5 +37,7 @@ class SelectionCommand(Command):
         self._line = line
 
     def _make(self, doc: Any) -> None:
+        from .compute_beside import computing_beside
+
         line = self._line(selected_objects(doc))
         run_as_one_step(doc, self.title, [line], computing_beside(self.title))

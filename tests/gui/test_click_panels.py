@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import gc
-import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -114,7 +113,7 @@ def test_parameters_are_recommended_and_ok_scans_with_them(window: Any, panel: l
 
 @pytest.mark.parametrize("name", ["EdgeScan_ScanBoundary", "EdgeScan_RecommendParameters"])
 def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str, panel: list[Any]) -> None:
-    before, threads = window.trace(), threading.active_count()
+    before, threads = window.trace(), window.threads
     shown = opened(window, name, panel)
     window.click_pixel(3, 3)
     assert "no point" in shown.form.sentence
@@ -127,7 +126,7 @@ def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str, panel: 
     cancel(shown).click()
     window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.trace() == before
-    assert threading.active_count() <= threads
+    assert window.threads <= threads
     del shown
     window.settle()
     gc.collect()

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -97,14 +96,14 @@ def test_the_only_cloud_needs_no_selection_to_be_thinned(window: Any, answer: An
 
     cloud = cloud_of(window.doc)
     select()
-    threads = threading.active_count()
+    threads = window.threads
     answer(1.0)
     Gui.runCommand("EdgeScan_ThinCloud")
     thin = window.doc.findObjects("Points::FeaturePython")[0]
     area = 30 * 20 * np.hypot(1, 0.8)
     assert np.sqrt(area / thin.PointCount) == pytest.approx(1.0, rel=0.1)
     assert not cloud.ViewObject.Visibility
-    assert threading.active_count() <= threads
+    assert window.threads <= threads
     known = document.point_cloud(thin)
     thin.touch()
     window.doc.recompute()

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from typing import Any
 
@@ -57,12 +56,12 @@ def test_the_result_comes_back_and_the_dialog_goes(window: Any) -> None:
 
 def test_cancel_ends_the_task_leaves_no_thread_and_raises_nothing_to_say(window: Any) -> None:
     asked: list[float] = []
-    threads = threading.active_count()
+    threads = window.threads
     QtCore.QTimer.singleShot(200, press_cancel)
     with pytest.raises(CancelledError):
         busy.result_of(slow(1000, asked), "Swept surface")
     assert len(asked) < 500
-    assert threading.active_count() <= threads
+    assert window.threads <= threads
     window.settle()
     assert dialogs() == []
 

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import gc
-import threading
 from collections.abc import Iterator
 from typing import Any
 
@@ -54,7 +53,7 @@ def test_every_command_on_every_wrong_selection_answers_and_leaves_nothing(
     empty = doc.addObject("Part::Feature", "Empty")
     cloud = doc.findObjects("Points::Feature")[0]
     doc.recompute()
-    before, threads, alive = window.trace(), threading.active_count(), observers()
+    before, threads, alive = window.trace(), window.threads, observers()
     for selected in ((), (cloud,), (line,), (empty,), (empty, cloud)):
         for name in commands():
             if name == "EdgeScan_TryIt":
@@ -78,7 +77,7 @@ def test_every_command_on_every_wrong_selection_answers_and_leaves_nothing(
                 doc.undo()
     assert window.trace()[0] == before[0]
     assert window.trace()[2:] == before[2:]
-    assert threading.active_count() <= threads
+    assert window.threads <= threads
     assert observers() <= alive
 
 
