@@ -15,6 +15,7 @@ import Part
 
 from ..cloud import PointCloud, compensate_cloud
 from ..geometry import BSplineCurve, Circle
+from ..geometry.place_text import place_text
 from ..scanning import Progress
 from ..surfacing import CrossSection, cross_section
 from .bridge import origin_of
@@ -165,7 +166,7 @@ def _surface_points(
     radius = max(reach, width, _PITCHES * cloud.pitch) + _ROOM * cloud.pitch
     rows = cloud.tree.query_ball_point(place[0], radius + 2.0 * cloud.probe_radius)
     if not len(rows):
-        where = ", ".join(f"{x:.4g}" for x in place[0])
+        where = place_text(place[0])
         raise ValueError(f"The cloud has no point near ({where}); choose another place.")
     near = PointCloud(cloud.points[rows], cloud.probe_radius, cloud.approach)
     return compensate_cloud(near, progress)

@@ -19,6 +19,7 @@ import numpy as np
 import Part
 
 from ..geometry import BSplineCurve, BSplineSurface
+from ..geometry.place_text import place_text
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
@@ -252,7 +253,7 @@ def _refuse_three(kept: list[Piece], count: Counter[int]) -> None:
     for _, face in kept:
         for edge in face.Edges:
             if count[int(edge.hashCode())] > 2:
-                place = ", ".join(f"{x:.3f}" for x in edge.valueAt(edge.FirstParameter))
+                place = place_text(edge.valueAt(edge.FirstParameter))
                 raise ValueError(
                     f"More than two faces meet along an edge at ({place}), so that inside and "
                     "outside cannot be told; leave out the surface that divides the part."

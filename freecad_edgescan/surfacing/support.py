@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import label
 
 from ..geometry import BSplineSurface
+from ..geometry.place_text import place_text
 
 __all__ = ["dense_enough", "said_of_support", "supported_share"]
 
@@ -54,7 +55,7 @@ def said_of_support(surface: BSplineSurface, supported: NDArray[np.bool_], inste
     place = surface.evaluate((u[row] + u[row + 1]) / 2, (v[column] + v[column + 1]) / 2)
     missing = int((~supported).sum())
     share = 100.0 * (1.0 - supported_share(surface, supported))
-    where = ", ".join(f"{x:.4g}" for x in place)
+    where = place_text(place)
     return (
         f"The cloud does not support {missing} of the surface's {supported.size} patches, "
         f"{max(share, 1.0):.0f} % of its area, the largest piece from u = {limits[0]:.3g} to "

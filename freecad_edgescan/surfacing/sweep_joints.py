@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import BSplineCurve
+from ..geometry.place_text import place_text
 from .rail_frame import OneRailFrame
 
 __all__ = ["cut_to_profiles", "distances_beside", "in_order", "refuse_crossing"]
@@ -154,7 +155,7 @@ def refuse_crossing(rails: Sequence[BSplineCurve], name: str) -> None:
         u, width = rails[1].closest(point)
         point = rails[1].evaluate(u)
     if width[0] < 1e-3 * usual:
-        where = ", ".join(f"{x:.3f}" for x in point[0])
+        where = place_text(point[0])
         raise ValueError(
             f"The {name} meet or cross near ({where}); end them before, or choose {name} beside "
             "each other."

@@ -20,6 +20,7 @@ from scipy.interpolate import CubicSpline
 
 from ..geometry import BSplineCurve, BSplineSurface, compatible_curves
 from ..geometry.knot_vectors import clamped_knots, merged_knots
+from ..geometry.place_text import place_text
 from ..geometry.surface_approximation import approximated_surface
 from .rail_frame import OneRailFrame, two_rail_frame
 from .rail_pairing import RailPairing
@@ -159,7 +160,7 @@ class SweptSurface:
             place, off = curve.closest(points)
             at.append(float(place[np.argmin(off)]))
         if np.any(np.diff(at) <= 1e-6):
-            listed = ", ".join(f"{x:.3f}" for x in at)
+            listed = place_text(at)
             raise ValueError(
                 f"Profiles must follow each other along the first rail; they lie at {listed} of "
                 "it. Give them in order, at different places."
@@ -280,7 +281,7 @@ class SweptSurface:
         crossed = self_crossing(grid)
         if crossed is None:
             return ()
-        where = ", ".join(f"{x:.4g}" for x in grid[crossed])
+        where = place_text(grid[crossed])
         return (f"The sweep passes through itself near ({where}); shorten its rails there.",)
 
     def to_bspline(self, tolerance: float = 1e-3) -> BSplineSurface:
