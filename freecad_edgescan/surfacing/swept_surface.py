@@ -160,7 +160,7 @@ class SweptSurface:
             place, off = curve.closest(points)
             at.append(float(place[np.argmin(off)]))
         if np.any(np.diff(at) <= 1e-6):
-            listed = place_text(at)
+            listed = ", ".join(f"{x:.3f}" for x in at)
             raise ValueError(
                 f"Profiles must follow each other along the first rail; they lie at {listed} of "
                 "it. Give them in order, at different places."
