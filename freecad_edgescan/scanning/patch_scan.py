@@ -36,6 +36,7 @@ __all__ = ["scan_with_patches"]
 
 Point = Sequence[float] | np.ndarray
 _BESIDE = 1.2  # pitches: what an edge may be off its points besides where its sides begin
+_CURLED, _BESIDE_CURLED = 0.5, 0.8  # rad by which both sides curl, and what it may be off then
 FEWEST_POINTS = 3  # edge points that make an edge
 
 
@@ -112,11 +113,17 @@ def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
     """
     if not len(edge) or not isinstance(edge.scan_lines, ScanLines):
         return
-    away = float(np.median(edge.overhang))
-    begins = float(np.median(edge.scan_lines.fits.begins.min(axis=1)))
+    fits, away = edge.scan_lines.fits, float(np.median(edge.overhang))
+    begins = float(np.median(fits.begins.min(axis=1)))
     middle = edge.points[len(edge) // 2]
     beside = cloud.points[cloud.tree.query(middle)[1]]
-    if away > begins + _BESIDE * float(cloud.local_pitch(beside[None])[0, 0]):
+    pitch = float(cloud.local_pitch(beside[None])[0, 0])
+    # Sides that curl towards each other have no edge but under a rounding that touches both.
+    half = 0.5 * float(np.median(edge.angle))
+    rounded = float(np.median(fits.begins.max(axis=1))) * (1.0 - np.sin(half)) / np.cos(half)
+    curl = np.abs(fits.coefficients[..., 2]) * (fits.ends - fits.begins) / fits.reach
+    curled = float(np.median(curl.sum(axis=1))) > _CURLED
+    if away > begins + _BESIDE * pitch or (curled and away > rounded + _BESIDE_CURLED * pitch):
         raise ScanError(
             f"The sides near ({place_text(middle)}) come together {away:.3g} mm outside the "
             "points, "
