@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from .extended_surface import make_extended_surface as make_extended_surface
     from .fitted_surface import make_fitted_surface as make_fitted_surface
     from .native_edge import edge_shape as edge_shape
+    from .scanned_edge import change_scanned_edge as change_scanned_edge
     from .scanned_edge import make_scanned_edge as make_scanned_edge
     from .sharp_edges import true_edges as true_edges
     from .simulated_shape import simulate_cloud as simulate_cloud
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from .swept_surface import make_swept_surface as make_swept_surface
 
 _HOME_OF = {
+    "change_scanned_edge": "scanned_edge",
     "edge_shape": "native_edge",
     "export_step": "export",
     "make_arc_profile": "arc_profile",

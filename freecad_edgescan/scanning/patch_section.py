@@ -150,6 +150,7 @@ class PatchSection:
         sigma = float(np.sqrt(np.linalg.eigvalsh(corner.covariance[0])[-1]))
         noise = float(np.sqrt(np.min(fits.variance[0])) * settings.reach)
         begins = (float(fits.begins[0, 0]), float(fits.begins[0, 1]))
+        ends = (float(fits.ends[0, 0]), float(fits.ends[0, 1]))
         stop = None
         if measured.turn[0] < settings.min_angle / 2.0:
             stop = Stop.SMOOTH
@@ -157,7 +158,7 @@ class PatchSection:
             stop = Stop.LOST
         elif noise > _MOST_SCATTER * settings.noise:
             stop = Stop.CORNER
-        return Station(measured, sigma, noise, begins, _cover(kept, fits), stop)
+        return Station(measured, sigma, noise, begins, _cover(kept, fits), stop, ends=ends)
 
     def _hanging(self, corner: Corners, fits: SideFits, points: SectionPoints) -> bool:
         """Whether the edge point hangs farther in the air than a rounding can take away.

@@ -36,6 +36,10 @@ class ScanLine:
     axes: np.ndarray
     origin: np.ndarray
 
+    def in_space(self, places: np.ndarray) -> np.ndarray:
+        """Places of the plane (k, 2) in the cloud's coordinates, (k, 3) mm."""
+        return np.asarray(self.origin + places @ self.axes)
+
 
 def upright_axes(normals: np.ndarray, tangent: np.ndarray) -> np.ndarray:
     """Axes (2, 3) across an edge, the second one upright: out of the smaller wedge.
