@@ -111,7 +111,8 @@ def test_a_point_as_gate_is_passed_when_the_walk_moves_away_from_it():
 
 def test_unit_vectors_come_back_bit_for_bit():
     random = np.random.default_rng(4)
-    for across, along in random.normal(size=(200, 2, 3)):
+    for across, aside in random.normal(size=(200, 2, 3)):
+        along = np.cross(across, aside)
         once = Start((0, 0, 0), across, along)
         again = Start((0, 0, 0), once.across, once.along)
         assert np.array_equal(once.across, again.across)

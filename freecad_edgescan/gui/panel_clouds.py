@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The clouds a panel can be clicked on: their numbers at hand, indexed while the user looks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from freecad_edgescan import document
+from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.cloud.point_cloud import require_surface
+
+from .background import Background
+from .picking import Array, front_hit, nearest_to_ray
+from .qt import QtCore
+from .thinned_clouds import is_shown
+from .view_ray import view_ray
+
+__all__ = ["PanelClouds", "Picked", "clouds_in"]
+
+_WIDER = 3.0  # a click that meets nothing is tried again with this many times the pick radius
+# What of a cloud, or of a part it is in, its numbers depend on.
+_MATTERS = ("Points", "Placement", "ProbeRadius", "Approach", "Group")
+
+
+def clouds_in(doc: Any) -> list[Any]:
+    """Point clouds of a document that can be seen and hold points."""
+    return [
+        item
+        for item in doc.Objects
+        if item.isDerivedFrom("Points::Feature") and is_shown(item) and item.Points.CountPoints
+    ]
+
+
+@dataclass(frozen=True)
+class Picked:
+    """A point that was clicked on: the cloud as object and as numbers, and the place (3,), mm."""
+
+    item: Any
+    numbers: PointCloud
+    point: Array
+
+
+class PanelClouds(QtCore.QObject):
+    """The visible clouds of a document, until ``close``.
+
+    Signals
+    -------
+    indexed() : a click can be answered at once
+    """
+
+    indexed = QtCore.Signal()
+
+    def __init__(self, doc: Any, view: Any) -> None:
+        super().__init__()
+        self._doc = doc
+        self._view = view
+        self._numbers: dict[str, PointCloud] = {}
+        self._index: Background | None = None
+        self.prepare()
+
+    def prepare(self) -> None:
+        """Take the numbers of the clouds that can be seen now, and index them in the background."""
+        self._end_index()
+        clouds = [self.numbers(item) for item in clouds_in(self._doc)]
+
+        def index(progress: Background) -> None:
+            for cloud in clouds:
+                _ = cloud.tree, cloud.pitch, cloud.noise
+                _warm_up(cloud)
+
+        self._index = Background(index)
+        self._index.succeeded.connect(self._is_ready)
+        self._index.failed.connect(self._is_ready)
+        self._index.begin()
+
+    @property
+    def ready(self) -> bool:
+        """Whether all clouds are indexed."""
+        return self._index is None
+
+    def shown(self) -> list[tuple[Any, PointCloud]]:
+        """The clouds that can be seen, objects with their numbers."""
+        return [(item, self.numbers(item)) for item in clouds_in(self._doc)]
+
+    def numbers(self, item: Any) -> PointCloud:
+        """The points of a cloud object as numbers; looked up once, until it changes."""
+        if item.Name not in self._numbers:
+            self._numbers[item.Name] = document.point_cloud(item)
+        return self._numbers[item.Name]
+
+    def changed(self, item: Any, name: str) -> bool:
+        """Take note of a property that has changed; True when some numbers are old now."""
+        if name not in _MATTERS:
+            return False
+        if item.Name in self._numbers:
+            del self._numbers[item.Name]
+            return True
+        if name in ("Placement", "Group") and item.hasExtension("App::GeoFeatureGroupExtension"):
+            self._numbers.clear()
+            return True
+        return False
+
+    def deleted(self, name: str) -> bool:
+        """Take note of an object that is gone; True when it was one of the clouds."""
+        return self._numbers.pop(name, None) is not None
+
+    def pick(self, position: tuple[int, int]) -> Picked | None:
+        """What is clicked on at a pixel from the lower left corner; None: no cloud."""
+        ray = view_ray(self._view, position)
+        clouds = self.shown()
+        for seen in (ray, ray.widened(_WIDER)):
+            hits = [
+                nearest_to_ray(numbers.tree, seen, 1.5 * numbers.pitch) for _, numbers in clouds
+            ]
+            number = front_hit(hits)
+            if number is not None:
+                hit = hits[number]
+                assert hit is not None
+                item, numbers = clouds[number]
+                return Picked(item, numbers, numbers.points[hit.index])
+        return None
+
+    def close(self) -> None:
+        """Give everything back."""
+        self._end_index()
+        self._numbers.clear()
+
+    def _end_index(self) -> None:
+        if self._index is not None:
+            self._index.abandon()
+            self._index = None
+
+    def _is_ready(self) -> None:
+        if self.sender() is self._index:
+            self._index = None
+            self.indexed.emit()
+
+
+def _warm_up(cloud: PointCloud) -> None:
+    """Import and look up what the first scan would otherwise wait for."""
+    from freecad_edgescan import scanning  # noqa: F401
+
+    require_surface(cloud)
