@@ -65,6 +65,11 @@ class _Observer:
         else:
             self._changed(item, name)
 
+    def slotCreatedObject(self, item: Any) -> None:
+        # Also when its deletion is undone.
+        if item.Document.Name == self._name:
+            self._shown_or_hidden()
+
     def slotDeletedObject(self, item: Any) -> None:
         if item.Document.Name == self._name:
             self._deleted(item.Name)

@@ -3,14 +3,18 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
 
 from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.cloud.point_cloud import require_surface
 
 from .background import Background
+from .live_edge import LiveEdge
 from .picking import Array, front_hit, nearest_to_ray
 from .qt import QtCore
 from .thinned_clouds import is_shown
@@ -67,7 +71,8 @@ class PanelClouds(QtCore.QObject):
         def index(progress: Background) -> None:
             for cloud in clouds:
                 _ = cloud.tree, cloud.pitch, cloud.noise
-                _warm_up(cloud)
+                require_surface(cloud)
+            _warm_up()
 
         self._index = Background(index)
         self._index.succeeded.connect(self._is_ready)
@@ -137,8 +142,14 @@ class PanelClouds(QtCore.QObject):
             self.indexed.emit()
 
 
-def _warm_up(cloud: PointCloud) -> None:
-    """Import and look up what the first scan would otherwise wait for."""
-    from freecad_edgescan import scanning  # noqa: F401
+def _warm_up() -> None:
+    """Scan something tiny: the first scan of all imports and sets up what the others find ready."""
+    from freecad_edgescan.scanning import ScanError, scan_edge
 
-    require_surface(cloud)
+    x, y = (
+        axis.ravel() for axis in np.meshgrid(np.linspace(-3.0, 3.0, 25), np.arange(0.0, 6, 0.25))
+    )
+    rough = 0.01 * np.sin(40.0 * x + 7.0 * y)
+    tent = PointCloud(np.column_stack([x, y, rough - np.abs(x)]))
+    with suppress(ScanError):
+        LiveEdge.of_edge(scan_edge(tent, at=(0.0, 3.0, 0.0)))

@@ -144,9 +144,7 @@ class Window:
         ratio = self.viewport.devicePixelRatioF()
         place = QtCore.QPointF(x / ratio, (self.view.getSize()[1] - y - 1) / ratio)
         none = QtCore.Qt.NoButton
-        event = QtGui.QMouseEvent(
-            QtCore.QEvent.MouseMove, place, none, none, QtCore.Qt.NoModifier
-        )
+        event = QtGui.QMouseEvent(QtCore.QEvent.MouseMove, place, none, none, QtCore.Qt.NoModifier)
         QtWidgets.QApplication.sendEvent(self.viewport, event)
         self.settle(0.1)
 

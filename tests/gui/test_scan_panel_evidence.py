@@ -85,9 +85,10 @@ def test_arrow_keys_go_along_the_edge(panel: Any) -> None:
 
 
 def test_the_section_follows_the_mouse_over_the_edge(window: Any, panel: Any) -> None:
+    evidence = panel.form.evidence
     for number in (4, 40):
         window.hover(tuple(panel._found.edge.points[number]))
-        window.wait_until(lambda: abs(panel.form.evidence.number - number) <= 1, 2.0)
+        window.wait_until(lambda wanted=number: abs(evidence.number - wanted) <= 1, 5.0)
     window.hover((6.0, 0.0, 5.0 - 0.8 * 6.0))
     assert abs(panel.form.evidence.number - 40) <= 1
 
