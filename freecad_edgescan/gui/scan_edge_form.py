@@ -57,9 +57,6 @@ class ScanEdgeForm(QtWidgets.QWidget):
         self._way.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
         self._way.setToolTip(translate("What your clicks stand for"))
         self._way.currentIndexChanged.connect(lambda _: self.way_changed.emit())
-        self._progress = QtWidgets.QProgressBar()
-        self._progress.setTextVisible(False)
-        self._progress.setMaximumHeight(self.fontMetrics().height())
         self.stop = QtWidgets.QPushButton(translate("Stop here"))
         self.stop.setToolTip(translate("End the scan and keep the edge as far as it is known"))
         self._so_far = QtWidgets.QLabel()
@@ -69,11 +66,11 @@ class ScanEdgeForm(QtWidgets.QWidget):
             label.setWordWrap(True)
             label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         self._running = QtWidgets.QWidget()
-        row = QtWidgets.QGridLayout(self._running)
+        # No bar that moves by itself: each of its frames would draw the 3D view anew, too.
+        row = QtWidgets.QHBoxLayout(self._running)
         row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self._progress, 0, 0)
-        row.addWidget(self.stop, 0, 1)
-        row.addWidget(self._so_far, 1, 0, 1, 2)
+        row.addWidget(self._so_far, 1)
+        row.addWidget(self.stop)
         self._result = QtWidgets.QWidget()
         below = QtWidgets.QVBoxLayout(self._result)
         below.setContentsMargins(0, 0, 0, 0)
@@ -124,21 +121,17 @@ class ScanEdgeForm(QtWidgets.QWidget):
         self._sentence.setText(sentence)
 
     def show_progress(self, running: bool) -> None:
-        """Show or hide the progress bar and the stop button."""
-        self._progress.setRange(0, 0)
-        self._so_far.setText(translate("Looking for the edge …"))
+        """Show or hide how far a scan is and the stop button."""
+        self._so_far.setText(translate("Looking for\nthe edge …"))
         self.stop.setEnabled(True)
         self._running.setVisible(running)
         if running:
             self._result.setVisible(False)
 
-    def progress_to(self, fraction: float, points: Any) -> None:
-        """Show the share that is done, nan when nobody knows, and what there is, (m, 3)."""
-        if np.isfinite(fraction):
-            self._progress.setRange(0, 1000)
-            self._progress.setValue(round(1000 * fraction))
+    def progress_to(self, points: Any) -> None:
+        """Show how much of the edge there is, edge points (m, 3); nobody knows how much is left."""
         length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
-        text = translate("{count} edge points, {length}")
+        text = translate("{count} edge points\n{length}")
         self._so_far.setText(text.format(count=len(points), length=length_text(length)))
 
     def show_edge(self, edge: ScannedEdge | None) -> None:

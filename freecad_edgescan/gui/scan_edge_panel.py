@@ -259,8 +259,8 @@ class ScanEdgePanel(QtCore.QObject):
             return
         report = self._work.take()
         if report is not None:
-            fraction, edge = report
-            self._form.progress_to(fraction, edge.points)
+            _, edge = report
+            self._form.progress_to(edge.points)
             self._display.show_growing(edge)
 
     def _show_found(self, found: Found) -> None:

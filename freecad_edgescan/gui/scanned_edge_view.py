@@ -31,7 +31,6 @@ class ViewProviderScannedEdge:
         view_object.LineColor = EDGE
         view_object.LineWidth = 3.0
         view_object.PointColor = EDGE
-        _declare(view_object)
         self.attach(view_object)
 
     def attach(self, view_object: Any) -> None:
@@ -39,6 +38,7 @@ class ViewProviderScannedEdge:
         self.object = view_object.Object
         self._overlay: Any = None
         self._aside: int | None = None  # what was on the screen while it is not
+        _declare(view_object)
 
     def getIcon(self) -> str:
         """Icon in the tree."""
