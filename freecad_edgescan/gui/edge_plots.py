@@ -70,7 +70,7 @@ class EdgePlots(QtWidgets.QWidget):
 
     def sizeHint(self) -> Any:
         """Three low plots."""
-        return QtCore.QSize(240, 176)
+        return QtCore.QSize(240, 156)
 
     def show_edge(self, edge: ScannedEdge | None) -> None:
         """Draw another edge, or none."""

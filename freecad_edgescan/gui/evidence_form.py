@@ -9,7 +9,7 @@ from freecad_edgescan.scanning import ScannedEdge, section_outline
 
 from .edge_plots import EdgePlots
 from .qt import QtCore, QtWidgets
-from .quantities import angle_text, length_text
+from .quantities import angle_text, length_scale, length_text
 from .section_view import SectionView
 from .translation import translate
 
@@ -106,8 +106,9 @@ def _numbers_of(edge: ScannedEdge, number: int) -> str:
     angle = translate("angle {angle}").format(angle=angle_text(float(edge.angle[number])))
     rounding = translate("no rounding measurable")
     if np.isfinite(radius):
-        rounding = translate("rounding {radius} ± {sigma}").format(
-            radius=length_text(radius), sigma=length_text(spread)
+        factor, unit = length_scale(radius)
+        rounding = translate("rounding {radius} ± {sigma} {unit}").format(
+            radius=f"{radius / factor:.2f}", sigma=f"{spread / factor:.2f}", unit=unit
         )
     parts = [sigma, angle, rounding]
     if not edge.supported[number]:

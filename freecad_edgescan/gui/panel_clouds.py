@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -67,6 +68,8 @@ class PanelClouds(QtCore.QObject):
         """Take the numbers of the clouds that can be seen now, and index them in the background."""
         self._end_index()
         clouds = [self.numbers(item) for item in clouds_in(self._doc)]
+        if not clouds:
+            return
 
         def index(progress: Background) -> None:
             for cloud in clouds:
@@ -142,6 +145,7 @@ class PanelClouds(QtCore.QObject):
             self.indexed.emit()
 
 
+@cache
 def _warm_up() -> None:
     """Scan something tiny: the first scan of all imports and sets up what the others find ready."""
     from freecad_edgescan.scanning import ScanError, scan_edge

@@ -22,6 +22,8 @@ __all__ = ["ParameterForm"]
 
 PATCH, PROBE = "patch", "probe"
 _NARROW = QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon
+_EDITOR = 76  # pixels, in which a length can be read
+_INDENT, _BELOW = 20, 5  # pixels round a reason, so that it is seen what it belongs to
 _SETTLED = 400  # ms without another change, after which it counts
 _UNKNOWN_LENGTH = 0.1  # mm, where nothing is known yet that could be changed
 
@@ -81,8 +83,8 @@ def _choices() -> dict[str, tuple[str, str, bool, list[tuple[str, Any]]]]:
             translate("Direction the probe came along; the air lies against it"),
             False,
             [
-                (translate("from above (-z)"), (0.0, 0.0, -1.0)),
-                (translate("from below (+z)"), (0.0, 0.0, 1.0)),
+                (translate("down, -z"), (0.0, 0.0, -1.0)),
+                (translate("up, +z"), (0.0, 0.0, 1.0)),
                 (translate("along +x"), (1.0, 0.0, 0.0)),
                 (translate("along -x"), (-1.0, 0.0, 0.0)),
                 (translate("along +y"), (0.0, 1.0, 0.0)),
@@ -166,7 +168,7 @@ class ParameterForm(QtWidgets.QWidget):
         self._rows: dict[str, _Row] = {}
         grid = QtWidgets.QGridLayout()
         grid.setColumnStretch(1, 1)
-        grid.setVerticalSpacing(2)
+        grid.setVerticalSpacing(1)
         for field, (title, tooltip, probed) in _lengths().items():
             self._rows[field] = _LengthRow(title, tooltip, probed)
         for field, (title, tooltip, probed, values) in _choices().items():
@@ -178,7 +180,7 @@ class ParameterForm(QtWidgets.QWidget):
         top.addWidget(hint, 1)
         top.addWidget(self._reset)
         column = QtWidgets.QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
+        column.setContentsMargins(2, 6, 2, 6)
         column.addWidget(self._method)
         column.addLayout(top)
         column.addLayout(grid)
@@ -279,10 +281,11 @@ class _Row(QtCore.QObject):
         self.editor = editor
         self.editor.setToolTip(tooltip)
         self.editor.setAccessibleName(title)
-        self.editor.setEnabled(False)
-        self.editor.setMinimumWidth(60)
+        self.editor.setMinimumWidth(_EDITOR)
         self.reason = _small(QtWidgets.QLabel(translate("chosen with the first click")))
+        self.reason.setContentsMargins(_INDENT, 0, 0, _BELOW)
         self.tick.toggled.connect(self._toggled)
+        self.unlock(False)
 
     @property
     def own(self) -> bool:
@@ -305,7 +308,7 @@ class _Row(QtCore.QObject):
         self.tick.blockSignals(True)
         self.tick.setChecked(own)
         self.tick.blockSignals(False)
-        self.editor.setEnabled(own)
+        self.unlock(own)
         if own:
             self.show_value(value)
             self.reason.setText(translate("set by you"))
@@ -327,8 +330,12 @@ class _Row(QtCore.QObject):
         """Put a value into the editor; None: none."""
         raise NotImplementedError
 
+    def unlock(self, own: bool) -> None:
+        """Let the user change the value, or only read it."""
+        raise NotImplementedError
+
     def _toggled(self, own: bool) -> None:
-        self.editor.setEnabled(own)
+        self.unlock(own)
         if own:
             self.reason.setText(translate("set by you"))
             self.editor.setFocus()
@@ -341,6 +348,7 @@ class _LengthRow(_Row):
     def __init__(self, title: str, tooltip: str, probed: bool) -> None:
         self._known = False
         self.box = LengthBox()
+        self.box.widget.setButtonSymbols(QtWidgets.QAbstractSpinBox.NoButtons)  # room to read
         super().__init__(title, tooltip, probed, self.box.widget)
         self.box.changed.connect(self.changed)
 
@@ -350,6 +358,10 @@ class _LengthRow(_Row):
     def show_value(self, value: float | None) -> None:
         self._known = value is not None
         self.box.set(0.0 if value is None else float(value))
+
+    def unlock(self, own: bool) -> None:
+        # Not disabled: what is automatic is to be read, too.
+        self.box.widget.setReadOnly(not own)
 
     def _toggled(self, own: bool) -> None:
         if own and not self._known:
@@ -370,6 +382,9 @@ class _ChoiceRow(_Row):
         self.box.setSizeAdjustPolicy(_NARROW)
         super().__init__(title, tooltip, probed, self.box)
         self.box.activated.connect(lambda _: self.changed.emit())
+
+    def unlock(self, own: bool) -> None:
+        self.box.setEnabled(own)
 
     def value(self) -> Any:
         return self._values[max(self.box.currentIndex(), 0)]

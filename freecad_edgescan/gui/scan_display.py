@@ -8,6 +8,7 @@ from typing import Any
 
 import FreeCAD
 import numpy as np
+from pivy import coin
 
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.scanning import ScannedEdge
@@ -22,6 +23,7 @@ from .view_ray import view_ray
 
 __all__ = ["ScanDisplay"]
 
+_AROUND = 1.2  # amplitudes that are seen when looking along the edge
 _NEAR = 12  # logical pixels within which the mouse is over an edge point
 
 
@@ -65,13 +67,15 @@ class ScanDisplay:
         if self._edge is None:
             return
         self._number = number
-        self.preview.show_section(self._edge.scan_lines.course(number))
+        line = self._edge.scan_lines[number]
+        self.preview.show_section(line.in_space(np.vstack([line.curves[0][::-1], line.curves[1]])))
         self._clip()
 
     def choose(self, wanted: ViewForm) -> None:
         """Follow the choices about the view."""
         self.preview.colour_by_sigma(wanted.by_sigma)
-        self.preview.show_scan_lines(wanted.scan_lines)
+        # Scan lines before and behind the section would cover it.
+        self.preview.show_scan_lines(wanted.scan_lines and not wanted.slab_only)
         self.clouds.resize(wanted.point_size)
         self._slab_only = wanted.slab_only
         self._clip()
@@ -98,7 +102,8 @@ class ScanDisplay:
         turn = np.column_stack([right, up, towards])
         matrix = FreeCAD.Matrix(*(value for row in turn for value in (*row.tolist(), 0.0)))
         self._view.setCameraOrientation(FreeCAD.Placement(matrix).Rotation.Q)
-        self._centre(self._edge.points[self._number])
+        amplitude = float(self._edge.parameters.amplitude or 0.0)
+        self._frame(self._edge.points[self._number], _AROUND * amplitude)
 
     def close(self, restore: bool = True) -> None:
         """Leave the view as it was; without restoring, when the document is going."""
@@ -115,16 +120,15 @@ class ScanDisplay:
             slab = (self._edge.points[self._number], tangent, max(pitch, 1.5 * least))
         self.clouds.clip(slab)
 
-    def _centre(self, place: Array) -> None:
-        """Move the camera so that it looks at a place, from as far as before."""
+    def _frame(self, place: Array, size: float) -> None:
+        """Move the camera so that it sees a place with some mm round it, from where it looks."""
         camera = self._view.getCameraNode()
-        ahead = camera.orientation.getValue().multVec(_ahead())
+        ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0.0, 0.0, -1.0))
         away = camera.focalDistance.getValue()
+        if size > 0.0 and hasattr(camera, "heightAngle"):
+            away = 0.5 * size / np.tan(0.5 * camera.heightAngle.getValue())
+            camera.focalDistance.setValue(away)
+        elif size > 0.0:
+            camera.height.setValue(size)
         position = place - away * np.array(ahead.getValue(), dtype=float)
         camera.position.setValue(*position.tolist())
-
-
-def _ahead() -> Any:
-    from pivy import coin
-
-    return coin.SbVec3f(0.0, 0.0, -1.0)

@@ -87,7 +87,7 @@ class ScanEdgeForm(QtWidgets.QWidget):
         small.setPointSizeF(_TAB_FONT * small.pointSizeF())
         self.tabs.tabBar().setFont(small)
         self.tabs.addTab(self.evidence, translate("Section"))
-        self.tabs.addTab(self.parameters, translate("Parameters"))
+        self.tabs.addTab(_scrolling(self.parameters), translate("Parameters"))
         self.tabs.addTab(self.view, translate("View"))
         column = QtWidgets.QVBoxLayout(self)
         column.setContentsMargins(4, 4, 4, 4)
@@ -144,6 +144,16 @@ class ScanEdgeForm(QtWidgets.QWidget):
             return
         self._figures.setText(_figures(edge))
         self._message.setText(edge.message)
+
+
+def _scrolling(widget: Any) -> Any:
+    """A long page that scrolls by itself instead of making all pages long."""
+    area = QtWidgets.QScrollArea()
+    area.setFrameShape(QtWidgets.QFrame.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+    area.setWidget(widget)
+    return area
 
 
 def _figures(edge: ScannedEdge) -> str:

@@ -7,6 +7,7 @@ edge. The edge point is mostly known far better than a pixel: an inset magnifies
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -54,7 +55,7 @@ class SectionView(QtWidgets.QWidget):
 
     def sizeHint(self) -> Any:
         """As wide as there is room, and not too high for a small screen."""
-        return QtCore.QSize(240, 240)
+        return QtCore.QSize(240, 215)
 
     def show_outline(self, outline: SectionOutline | None) -> None:
         """Draw another section, or none."""
@@ -81,8 +82,9 @@ class SectionView(QtWidgets.QWidget):
         canvas.painter.setClipRect(area)
         to_pixel = self._mapping(area)
         _draw_outline(canvas, self._outline, to_pixel)
-        self._draw_scale_bar(canvas, area)
-        self._draw_inset(canvas, area, self._outline)
+        corners = _by_emptiness(area, _shape_of(self._outline, to_pixel))
+        self._draw_inset(canvas, corners[0], self._outline)
+        self._draw_scale_bar(canvas, corners[1])
         self._draw_place(canvas, area)
         canvas.painter.restore()
         canvas.end()
@@ -164,23 +166,22 @@ class SectionView(QtWidgets.QWidget):
         self._legend_height = flow(canvas, entries, self.rect())
         return self._legend_height
 
-    def _draw_scale_bar(self, canvas: Canvas, area: Any) -> None:
-        scale = self._mapping(area).scale
-        length = round_steps(0.3 * area.width() / scale)
+    def _draw_scale_bar(self, canvas: Canvas, box: Any) -> None:
+        scale = self._mapping(self._area()).scale
+        length = round_steps(box.width() / scale)
         pixels = length * scale
-        # The sides hang down left and right: there is room between them and beside their top.
-        left, low = area.center().x() - 0.5 * pixels, area.bottom() - _MARGIN
+        left, low = box.center().x() - 0.5 * pixels, box.center().y()
         canvas.pen(canvas.ink, 1.5)
         canvas.line(left, low, left + pixels, low)
         canvas.line(left, low - 3, left, low + 3)
         canvas.line(left + pixels, low - 3, left + pixels, low + 3)
-        canvas.text(left, low - 5, length_text(length))
+        text = length_text(length)
+        canvas.text(box.center().x() - canvas.width_of(text) / 2, low - 6, text)
 
-    def _draw_inset(self, canvas: Canvas, area: Any, outline: SectionOutline) -> None:
+    def _draw_inset(self, canvas: Canvas, box: Any, outline: SectionOutline) -> None:
         half = np.sqrt(max(float(np.linalg.eigvalsh(outline.covariance)[-1]), 0.0))
         if not np.isfinite(half) or half <= 0.0:
             return
-        box = QtCore.QRectF(area.right() - _INSET - _MARGIN, area.top() + _MARGIN, _INSET, _INSET)
         canvas.frame(box)
         scale = _INSET / (_INSET_SIGMAS * half)
         middle = np.array([box.center().x(), box.center().y()])
@@ -219,10 +220,33 @@ class _Mapping:
 
 
 def _extent(outline: SectionOutline) -> tuple[Array, Array]:
-    """Lowest and highest corner of what is shown at first."""
+    """Lowest and highest corner of what is shown at first, with the edge point in the middle."""
+    places = _shape_of(outline, lambda places: places)
+    low, high = places.min(axis=0), places.max(axis=0)
+    middle = outline.line.edge_point[0]
+    half = max(high[0] - middle, middle - low[0])
+    return np.array([middle - half, low[1]]), np.array([middle + half, high[1]])
+
+
+def _shape_of(outline: SectionOutline, to_pixel: Callable[[Array], Array]) -> Array:
+    """Places of everything that matters in a section, (n, 2)."""
     line = outline.line
-    places = np.vstack([line.points, *line.curves, *outline.surfaces, line.edge_point[None]])
-    return places.min(axis=0), places.max(axis=0)
+    balls = [circle_points(centre, outline.probe_radius)[::10] for centre in outline.balls]
+    parts = [line.points, *line.curves, *outline.surfaces, *balls, line.edge_point[None]]
+    return to_pixel(np.vstack(parts))
+
+
+def _by_emptiness(area: Any, pixels: Array) -> list[Any]:
+    """The four corners of an area as boxes, the emptiest first."""
+    lefts = (area.left() + _MARGIN, area.right() - _INSET - _MARGIN)
+    tops = (area.top() + _MARGIN, area.bottom() - _INSET - _MARGIN)
+    boxes = [QtCore.QRectF(left, top, _INSET, _INSET) for top in tops for left in lefts[::-1]]
+
+    def crowd(box: Any) -> int:
+        low = np.array([box.left(), box.top()])
+        return int(np.all((pixels > low) & (pixels < low + _INSET), axis=1).sum())
+
+    return sorted(boxes, key=crowd)
 
 
 def _draw_outline(canvas: Canvas, outline: SectionOutline, to_pixel: _Mapping) -> None:

@@ -13,6 +13,7 @@ import pytest
 FreeCAD = pytest.importorskip("FreeCAD")
 Gui = pytest.importorskip("FreeCADGui")
 
+from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.gui.background import running  # noqa: E402
 
 ON_THE_RIDGE = (0.3, 2.0, 5.0)
@@ -184,7 +185,9 @@ def test_nothing_is_selected_by_clicking_and_selecting_works_again_afterwards(wi
     assert not Gui.Selection.getSelection()
     window.button("Cancel").click()
     window.settle()
-    window.click((6.0, 0.0, 5.0 - 0.8 * 6.0))
+    points = document.points_of(window.cloud)
+    aim = points[np.argmin(np.linalg.norm(points - [6.0, 0.0, 5.0 - 0.8 * 6.0], axis=1))]
+    window.click(tuple(aim))
     assert [item.TypeId for item in Gui.Selection.getSelection()] == ["Points::Feature"]
 
 

@@ -149,7 +149,7 @@ def test_a_cloud_hidden_or_shown_meanwhile_is_followed(window: Any) -> None:
     clouds = window.panel._display.clouds
     whole = clouds.count
     window.cloud.ViewObject.Visibility = False
-    window.wait_until(lambda: clouds.count == 0)
+    window.wait_until(lambda: clouds.count == 0 and window.panel._clouds.ready)
     window.click(ON_THE_RIDGE)
     assert "No point cloud can be seen" in window.sentence
     window.cloud.ViewObject.Visibility = True
