@@ -21,7 +21,7 @@ class ClosingWatch(QtCore.QObject):
 
     def __init__(self, closed: Callable[[], None]) -> None:
         super().__init__()
-        self._closed = closed
+        self._closed: Callable[[], None] | None = closed
         self._watched: list[Any] = []
 
     def watch_dock_of(self, widget: Any) -> None:
@@ -42,13 +42,18 @@ class ClosingWatch(QtCore.QObject):
             except RuntimeError:  # gone with its C++ object
                 continue
         self._watched = []
+        self._closed = None
 
     def eventFilter(self, watched: Any, event: Any) -> bool:
         """Qt asks this about every event; none is held back."""
-        if event.type() == QtCore.QEvent.Close and self._watched:
+        if event.type() == QtCore.QEvent.Close and self._closed is not None:
             # The window has yet to say whether it really closes.
-            QtCore.QTimer.singleShot(0, self._closed)
+            QtCore.QTimer.singleShot(0, self._tell)
         return False
+
+    def _tell(self) -> None:
+        if self._closed is not None:
+            self._closed()
 
     def _watch(self, window: Any) -> None:
         if window is not None:

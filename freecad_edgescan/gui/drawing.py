@@ -6,12 +6,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import FreeCADGui
 import numpy as np
 from pivy import coin
 
 from .picking import Array
 
-__all__ = ["Lines", "Points", "unpickable"]
+__all__ = ["Lines", "Points", "on_screen", "unpickable"]
 
 _NONE = np.zeros((0, 3))
 
@@ -43,7 +44,7 @@ class _Drawing:
             self.node.addChild(child)
 
     def resize(self, size: float) -> None:
-        """Width of lines and size of points, pixels."""
+        """Width of lines and size of points, pixels of the screen."""
         self._style.lineWidth.setValue(size)
         self._style.pointSize.setValue(size)
 
@@ -88,6 +89,11 @@ class Lines(_Drawing):
         if lines:
             counts = [len(line) for line in lines]
             self._shape.numVertices.setValues(0, len(counts), counts)
+
+
+def on_screen(pixels: float) -> float:
+    """Logical pixels as pixels of the screen, which are smaller on finer screens."""
+    return pixels * float(FreeCADGui.getMainWindow().devicePixelRatioF())
 
 
 def unpickable() -> Any:

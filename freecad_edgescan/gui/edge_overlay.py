@@ -9,7 +9,7 @@ import numpy as np
 from pivy import coin
 
 from .colours import EDGE, LEFT_OUT, sigma_colours
-from .drawing import Lines, Points, unpickable
+from .drawing import Lines, Points, on_screen, unpickable
 from .picking import Array
 
 __all__ = ["EdgeOverlay"]
@@ -28,9 +28,9 @@ class EdgeOverlay:
         self._switch.setName("EdgeScanOverlay")
         inside = coin.SoSeparator()
         inside.addChild(unpickable())
-        self._lines = Lines(LEFT_OUT, 1.0)
-        self._coloured = Lines(EDGE, 5.0)
-        self._points = Points(EDGE, 6.0)
+        self._lines = Lines(LEFT_OUT, on_screen(1.0))
+        self._coloured = Lines(EDGE, on_screen(5.0))
+        self._points = Points(EDGE, on_screen(6.0))
         for drawing in (self._lines, self._coloured, self._points):
             inside.addChild(drawing.node)
         self._switch.addChild(inside)

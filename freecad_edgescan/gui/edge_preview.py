@@ -10,7 +10,7 @@ import numpy as np
 from pivy import coin
 
 from .colours import CLICK, EDGE, GATE, LEFT_OUT, sigma_colours
-from .drawing import Lines, Points, unpickable
+from .drawing import Lines, Points, on_screen, unpickable
 from .live_edge import LiveEdge
 from .picking import Array
 
@@ -35,14 +35,14 @@ class EdgePreview:
     def __init__(self, view: Any) -> None:
         self.edge = _NOTHING
         self._coloured = True
-        self._scan_lines = Lines(LEFT_OUT, 1.0)
-        self._curve = Lines(EDGE, 3.0)
+        self._scan_lines = Lines(LEFT_OUT, on_screen(1.0))
+        self._curve = Lines(EDGE, on_screen(3.0))
         # Dark rims let points of any colour be seen on any ground.
-        self._rims = Points(_DARK, 8.0)
-        self._points = Points(EDGE, 5.0)
-        self._section = Lines((1.0, 1.0, 1.0), 2.5)
-        self._starts = Points(CLICK, 10.0)
-        self._gates = Points(GATE, 10.0)
+        self._rims = Points(_DARK, on_screen(8.0))
+        self._points = Points(EDGE, on_screen(5.0))
+        self._section = Lines((1.0, 1.0, 1.0), on_screen(2.5))
+        self._starts = Points(CLICK, on_screen(10.0))
+        self._gates = Points(GATE, on_screen(10.0))
         self._root = coin.SoAnnotation()
         self._root.setName("EdgeScanPreview")
         self._root.addChild(unpickable())

@@ -97,6 +97,10 @@ class PanelClouds(QtCore.QObject):
             self._numbers[item.Name] = document.point_cloud(item)
         return self._numbers[item.Name]
 
+    def knows(self, item: Any) -> bool:
+        """Whether the numbers of a cloud object are at hand and as it is now."""
+        return item.Name in self._numbers
+
     def changed(self, item: Any, name: str) -> bool:
         """Take note of a property that has changed; True when some numbers are old now."""
         if name not in _MATTERS:

@@ -14,18 +14,14 @@ from freecad_edgescan.scanning import (
     Tangent,
 )
 
+from .parameter_rows import NARROW, ChoiceRow, LengthRow, Row, small_label
 from .qt import QtCore, QtWidgets
-from .quantities import LengthBox
 from .translation import translate
 
 __all__ = ["ParameterForm"]
 
 PATCH, PROBE = "patch", "probe"
-_NARROW = QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon
-_EDITOR = 76  # pixels, in which a length can be read
-_INDENT, _BELOW = 20, 5  # pixels round a reason, so that it is seen what it belongs to
 _SETTLED = 400  # ms without another change, after which it counts
-_UNKNOWN_LENGTH = 0.1  # mm, where nothing is known yet that could be changed
 
 
 def _lengths() -> dict[str, tuple[str, str, bool]]:
@@ -161,18 +157,18 @@ class ParameterForm(QtWidgets.QWidget):
                 "as a measuring machine touches a part"
             )
         )
-        self._method.setSizeAdjustPolicy(_NARROW)
+        self._method.setSizeAdjustPolicy(NARROW)
         self._reset = QtWidgets.QPushButton(translate("Reset"))
         self._reset.setToolTip(translate("Make every parameter automatic again"))
-        hint = _small(QtWidgets.QLabel(translate("Tick a parameter to set it yourself.")))
-        self._rows: dict[str, _Row] = {}
+        hint = small_label(QtWidgets.QLabel(translate("Tick a parameter to set it yourself.")))
+        self._rows: dict[str, Row] = {}
         grid = QtWidgets.QGridLayout()
         grid.setColumnStretch(1, 1)
         grid.setVerticalSpacing(1)
         for field, (title, tooltip, probed) in _lengths().items():
-            self._rows[field] = _LengthRow(title, tooltip, probed)
+            self._rows[field] = LengthRow(title, tooltip, probed)
         for field, (title, tooltip, probed, values) in _choices().items():
-            self._rows[field] = _ChoiceRow(title, tooltip, probed, values)
+            self._rows[field] = ChoiceRow(title, tooltip, probed, values)
         for number, row in enumerate(self._rows.values()):
             row.add_to(grid, 2 * number)
             row.changed.connect(self._wait_a_moment)
@@ -215,7 +211,7 @@ class ParameterForm(QtWidgets.QWidget):
             }
         )
 
-    def row(self, field: str) -> _Row:
+    def row(self, field: str) -> Row:
         """The row of a parameter."""
         return self._rows[field]
 
@@ -261,151 +257,3 @@ class ParameterForm(QtWidgets.QWidget):
     def stop_waiting(self) -> None:
         """No change counts any more."""
         self._moment.stop()
-
-
-class _Row(QtCore.QObject):
-    """A parameter: a tick and its name, an editor, and the reason below.
-
-    Signals
-    -------
-    changed() : by the user
-    """
-
-    changed = QtCore.Signal()
-
-    def __init__(self, title: str, tooltip: str, probed: bool, editor: Any) -> None:
-        super().__init__()
-        self.probed = probed
-        self.tick = QtWidgets.QCheckBox(title)
-        self.tick.setToolTip(tooltip)
-        self.editor = editor
-        self.editor.setToolTip(tooltip)
-        self.editor.setAccessibleName(title)
-        self.editor.setMinimumWidth(_EDITOR)
-        self.reason = _small(QtWidgets.QLabel(translate("chosen with the first click")))
-        self.reason.setContentsMargins(_INDENT, 0, 0, _BELOW)
-        self.tick.toggled.connect(self._toggled)
-        self.unlock(False)
-
-    @property
-    def own(self) -> bool:
-        """Whether the user sets the value."""
-        return bool(self.tick.isChecked())
-
-    def add_to(self, grid: Any, line: int) -> None:
-        """Take two lines of a grid."""
-        grid.addWidget(self.tick, line, 0)
-        grid.addWidget(self.editor, line, 1)
-        grid.addWidget(self.reason, line + 1, 0, 1, 2)
-
-    def set_visible(self, wanted: bool) -> None:
-        """Show or hide the row."""
-        for widget in (self.tick, self.editor, self.reason):
-            widget.setVisible(wanted)
-
-    def set_own(self, own: bool, value: Any) -> None:
-        """Set the tick and the value; this is no change by the user."""
-        self.tick.blockSignals(True)
-        self.tick.setChecked(own)
-        self.tick.blockSignals(False)
-        self.unlock(own)
-        if own:
-            self.show_value(value)
-            self.reason.setText(translate("set by you"))
-
-    def show_used(self, value: Any, reason: str) -> None:
-        """Show what a scan has used, unless the user sets the value."""
-        if self.own:
-            more = reason.removeprefix("given").lstrip("; ")
-            self.reason.setText(more or translate("set by you"))
-            return
-        self.show_value(value)
-        self.reason.setText(reason or translate("not used"))
-
-    def value(self) -> Any:
-        """The value in the editor."""
-        raise NotImplementedError
-
-    def show_value(self, value: Any) -> None:
-        """Put a value into the editor; None: none."""
-        raise NotImplementedError
-
-    def unlock(self, own: bool) -> None:
-        """Let the user change the value, or only read it."""
-        raise NotImplementedError
-
-    def _toggled(self, own: bool) -> None:
-        self.unlock(own)
-        if own:
-            self.reason.setText(translate("set by you"))
-            self.editor.setFocus()
-        self.changed.emit()
-
-
-class _LengthRow(_Row):
-    """A parameter that is a length."""
-
-    def __init__(self, title: str, tooltip: str, probed: bool) -> None:
-        self._known = False
-        self.box = LengthBox()
-        self.box.widget.setButtonSymbols(QtWidgets.QAbstractSpinBox.NoButtons)  # room to read
-        super().__init__(title, tooltip, probed, self.box.widget)
-        self.box.changed.connect(self.changed)
-
-    def value(self) -> float:
-        return self.box.value
-
-    def show_value(self, value: float | None) -> None:
-        self._known = value is not None
-        self.box.set(0.0 if value is None else float(value))
-
-    def unlock(self, own: bool) -> None:
-        # Not disabled: what is automatic is to be read, too.
-        self.box.widget.setReadOnly(not own)
-
-    def _toggled(self, own: bool) -> None:
-        if own and not self._known:
-            self.show_value(_UNKNOWN_LENGTH)
-        super()._toggled(own)
-
-
-class _ChoiceRow(_Row):
-    """A parameter that is one of a few."""
-
-    def __init__(
-        self, title: str, tooltip: str, probed: bool, values: list[tuple[str, Any]]
-    ) -> None:
-        self.box = QtWidgets.QComboBox()
-        self._values = [value for _, value in values]
-        for name, _ in values:
-            self.box.addItem(name)
-        self.box.setSizeAdjustPolicy(_NARROW)
-        super().__init__(title, tooltip, probed, self.box)
-        self.box.activated.connect(lambda _: self.changed.emit())
-
-    def unlock(self, own: bool) -> None:
-        self.box.setEnabled(own)
-
-    def value(self) -> Any:
-        return self._values[max(self.box.currentIndex(), 0)]
-
-    def show_value(self, value: Any) -> None:
-        if value is not None and value not in self._values:
-            self._values.append(value)
-            self.box.addItem(_as_text(value))
-        self.box.setCurrentIndex(-1 if value is None else self._values.index(value))
-
-
-def _as_text(value: Any) -> str:
-    if isinstance(value, tuple):
-        return "(" + ", ".join(f"{part:.3g}" for part in value) + ")"
-    return str(value)
-
-
-def _small(label: Any) -> Any:
-    """A label for what need not be read first: smaller, wrapped."""
-    font = label.font()
-    font.setPointSizeF(0.88 * font.pointSizeF())
-    label.setFont(font)
-    label.setWordWrap(True)
-    return label

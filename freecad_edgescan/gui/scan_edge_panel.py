@@ -13,10 +13,8 @@ from typing import Any
 
 import FreeCADGui
 
-from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.document.scan_inputs import ScanInputs, input_hash, read_inputs
-from freecad_edgescan.document.scanned_edge import write_result
 from freecad_edgescan.scanning import Gate, ScanError, Start, Stop
 
 from .background import Background
@@ -27,11 +25,10 @@ from .panel_clouds import PanelClouds, Picked, clouds_in
 from .picked_places import PickedPlaces
 from .picking import Array
 from .qt import QtCore, QtWidgets, as_int
-from .recorded_step import run_as_one_step
+from .scan_commit import commit_scan
 from .scan_display import ScanDisplay
 from .scan_edge_form import ScanEdgeForm
 from .scan_job import Found, ScanJob
-from .scan_recording import change_lines, make_lines
 from .shown import select_only
 from .translation import translate
 from .view_clicks import ViewClicks, is_open
@@ -129,7 +126,7 @@ class ScanEdgePanel(QtCore.QObject):
         if self._found is None or self._cloud is None:
             return False
         try:
-            kept = self._commit(self._found, self._cloud)
+            kept = commit_scan(self._doc, self._edited, *self._cloud, self._found)
         except (ValueError, ReferenceError) as error:
             self._form.say(str(error))
             return False
@@ -307,7 +304,7 @@ class ScanEdgePanel(QtCore.QObject):
 
     def _object_changed(self, item: Any, name: str) -> None:
         if self._open and self._clouds.changed(item, name):
-            if self._cloud is not None and item is self._cloud[0]:
+            if self._cloud is not None and not self._clouds.knows(self._cloud[0]):
                 self._lose_cloud(translate("The cloud has changed. Click near an edge again."))
             self._refresh_timer.start()
 
@@ -378,25 +375,6 @@ class ScanEdgePanel(QtCore.QObject):
             with suppress(ReferenceError, AttributeError):
                 self._edited.ViewObject.Proxy.set_aside(self._edited.ViewObject, wanted)
 
-    def _commit(self, found: Found, cloud: tuple[Any, PointCloud]) -> list[Any]:
-        """Make or change the edge in one undo step; the object."""
-        item, numbers = cloud
-        edge = self._edited
-
-        def hand_over(made: list[Any]) -> None:
-            # Unless the cloud has changed since, nothing is scanned a second time.
-            if document.point_cloud(item) is numbers:
-                write_result(made[0] if edge is None else edge, found.edge)
-
-        if edge is None:
-            lines = make_lines(item, found.inputs)
-            return run_as_one_step(self._doc, "Scan edge", lines, hand_over)
-        if not _differs(edge, item, found.inputs):
-            return [edge]
-        lines = change_lines(edge, item, found.inputs)
-        run_as_one_step(self._doc, "Edit scanned edge", lines, hand_over, changed=[edge])
-        return [edge]
-
     # The rest.
 
     def _show_clouds(self) -> None:
@@ -449,17 +427,6 @@ class ScanEdgePanel(QtCore.QObject):
         if self.buttons is not None:
             ok = self.buttons.button(QtWidgets.QDialogButtonBox.Ok)
             ok.setEnabled(self._found is not None)
-
-
-def _differs(edge: Any, cloud: Any, inputs: ScanInputs) -> bool:
-    """Whether an edge was not made with these inputs, or is not up to date."""
-    present = read_inputs(edge)
-    same = (
-        edge.Cloud is cloud
-        and change_lines(edge, cloud, present) == change_lines(edge, cloud, inputs)
-        and edge.InputHash == input_hash(edge)
-    )
-    return not same
 
 
 def _single_shot(parent: Any, milliseconds: int, answer: Any) -> Any:

@@ -84,7 +84,7 @@ class SectionView(QtWidgets.QWidget):
         _draw_outline(canvas, self._outline, to_pixel)
         corners = _by_emptiness(area, _shape_of(self._outline, to_pixel))
         self._draw_inset(canvas, corners[0], self._outline)
-        self._draw_scale_bar(canvas, corners[1])
+        self._draw_scale_bar(canvas, next(b for b in corners if not b.intersects(corners[0])))
         self._draw_place(canvas, area)
         canvas.painter.restore()
         canvas.end()
@@ -237,8 +237,12 @@ def _shape_of(outline: SectionOutline, to_pixel: Callable[[Array], Array]) -> Ar
 
 
 def _by_emptiness(area: Any, pixels: Array) -> list[Any]:
-    """The four corners of an area as boxes, the emptiest first."""
-    lefts = (area.left() + _MARGIN, area.right() - _INSET - _MARGIN)
+    """The corners of an area, and the middles above and below, as boxes; the emptiest first."""
+    lefts = (
+        area.left() + _MARGIN,
+        area.center().x() - _INSET / 2,
+        area.right() - _INSET - _MARGIN,
+    )
     tops = (area.top() + _MARGIN, area.bottom() - _INSET - _MARGIN)
     boxes = [QtCore.QRectF(left, top, _INSET, _INSET) for top in tops for left in lefts[::-1]]
 

@@ -27,6 +27,10 @@ def is_open(view: Any) -> bool:
         return False
 
 
+def _nothing(*_: object) -> None:
+    """Who listens no longer keeps nobody alive."""
+
+
 class ViewClicks:
     """Listens to a view until ``close``.
 
@@ -70,6 +74,7 @@ class ViewClicks:
                 view.removeEventCallback(kind, callback)
             self._let_select(True)
         self._callbacks = []
+        self._clicked = self._moved = self._escaped = _nothing
 
     def _let_select(self, wanted: bool) -> None:
         if self._selects is not None:

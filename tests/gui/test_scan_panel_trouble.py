@@ -237,6 +237,17 @@ def test_a_cloud_that_is_moved_under_the_panel_is_to_be_clicked_again(window: An
     assert window.edges[0].Points[5].z == pytest.approx(12.0, abs=0.1)
 
 
+def test_a_part_that_is_moved_takes_its_cloud_along(window: Any) -> None:
+    part = window.doc.addObject("App::Part", "Part")
+    part.addObject(window.cloud)
+    window.doc.recompute()
+    with_an_edge(window)
+    part.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation())
+    window.settle(0.1)
+    assert "has changed" in window.sentence
+    assert not window.button("Ok").isEnabled()
+
+
 def test_another_document_may_be_worked_in_meanwhile(window: Any) -> None:
     with_an_edge(window)
     other = FreeCAD.newDocument("Other")
