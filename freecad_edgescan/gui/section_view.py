@@ -25,7 +25,8 @@ __all__ = ["SectionView"]
 
 _MARGIN = 8  # pixels
 _INSET = 78  # pixels, side of the magnified edge point
-_INSET_SIGMAS = 5.0  # across the inset
+_CLEAR = 10  # pixels between the inset and the edge point itself
+_INSET_SIGMAS = 6.0  # across the inset
 _NEAREST, _FARTHEST = 0.5, 2000.0  # zoom
 
 
@@ -248,7 +249,10 @@ def _by_emptiness(area: Any, pixels: Array) -> list[Any]:
 
     def crowd(box: Any) -> int:
         low = np.array([box.left(), box.top()])
-        return int(np.all((pixels > low) & (pixels < low + _INSET), axis=1).sum())
+        inside = int(np.all((pixels > low) & (pixels < low + _INSET), axis=1).sum())
+        # The last one is the edge point, which nothing may cover.
+        clear = np.any((pixels[-1] < low - _CLEAR) | (pixels[-1] > low + _INSET + _CLEAR))
+        return inside if clear else inside + len(pixels)
 
     return sorted(boxes, key=crowd)
 
