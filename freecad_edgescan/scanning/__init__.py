@@ -15,6 +15,7 @@ from .scan import scan_edge
 from .scan_lines import ScanLine, ScanLines
 from .scanned_edge import ScannedEdge
 from .section import Frames, Section, Station
+from .section_outline import SectionOutline, section_outline
 from .start import Gate, Start
 from .stop import Stop
 
@@ -36,6 +37,7 @@ __all__ = [
     "ScanParameters",
     "ScannedEdge",
     "Section",
+    "SectionOutline",
     "SoFar",
     "Start",
     "Station",
@@ -45,4 +47,5 @@ __all__ = [
     "recommend_parameters",
     "scan_boundary",
     "scan_edge",
+    "section_outline",
 ]

@@ -167,8 +167,8 @@ class PatchSection:
         )
         sigma = largest_sigma(corner.covariance)
         noise = np.sqrt(fits.variance.min(axis=1)) * settings.reach
-        cover, turn = _cover(kept, fits), measured.turn
-        lost_in_noise = ~(sigma <= 0.5 * fits.begins.max(axis=1) + 2.0 * settings.cloud_pitch)
+        cover, turn, begins, ends = _cover(kept, fits), measured.turn, fits.begins, fits.ends
+        lost_in_noise = ~(sigma <= 0.5 * begins.max(axis=1) + 2.0 * settings.cloud_pitch)
         stations = []
         for k in range(sections):
             stop = None
@@ -185,10 +185,15 @@ class PatchSection:
                 stop = Stop.LOST
             elif noise[k] > _MOST_SCATTER * settings.noise:
                 stop = Stop.CORNER
-            begins = (float(fits.begins[k, 0]), float(fits.begins[k, 1]))
             stations.append(
                 Station(
-                    measured[k], float(sigma[k]), float(noise[k]), begins, float(cover[k]), stop
+                    measured[k],
+                    float(sigma[k]),
+                    float(noise[k]),
+                    (float(begins[k, 0]), float(begins[k, 1])),
+                    float(cover[k]),
+                    stop,
+                    ends=(float(ends[k, 0]), float(ends[k, 1])),
                 )
             )
         return stations
