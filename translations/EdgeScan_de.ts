@@ -699,12 +699,44 @@
       <translation>&amp;Einheit der Datei:</translation>
     </message>
     <message>
+      <source>, rounding {radius}</source>
+      <translation>, Verrundung {radius}</translation>
+    </message>
+    <message>
+      <source>1 (line)</source>
+      <translation>1 (Gerade)</translation>
+    </message>
+    <message>
       <source>1 of 2: click near an edge of the face.</source>
       <translation>1 von 2: Nahe einer Kante der Fläche klicken.</translation>
     </message>
     <message>
+      <source>1 of 3: click beside the edge, where the first scan line begins.</source>
+      <translation>1 von 3: Neben die Kante klicken, wo die erste Abtastlinie beginnt.</translation>
+    </message>
+    <message>
+      <source>2 (quadratic)</source>
+      <translation>2 (quadratisch)</translation>
+    </message>
+    <message>
       <source>2 of 2: click on the face, beside that edge.</source>
       <translation>2 von 2: Auf die Fläche klicken, neben dieser Kante.</translation>
+    </message>
+    <message>
+      <source>2 of 3: click across the edge, where that line leads.</source>
+      <translation>2 von 3: Jenseits der Kante klicken, wohin diese Linie führt.</translation>
+    </message>
+    <message>
+      <source>3 (cubic)</source>
+      <translation>3 (kubisch)</translation>
+    </message>
+    <message>
+      <source>3 + 2 clicks: start and gate</source>
+      <translation>3 + 2 Klicks: Start und Ziel</translation>
+    </message>
+    <message>
+      <source>3 of 3: click along the edge, where the walk goes.</source>
+      <translation>3 von 3: Weiter vorn an der Kante klicken, wohin der Weg führt.</translation>
     </message>
     <message>
       <source>A cloud of a part whose edges are known exactly: to try EdgeScan, and to see what a scan with another pitch or noise would give.</source>
@@ -719,8 +751,32 @@
       <translation>Alle Dateien</translation>
     </message>
     <message>
+      <source>All points (patch)</source>
+      <translation>Alle Punkte (patch)</translation>
+    </message>
+    <message>
+      <source>All points on both sides are the most accurate; line by line touches the cloud as a measuring machine touches a part</source>
+      <translation>Alle Punkte beider Seiten sind am genauesten; Linie für Linie tastet die Punktwolke ab wie eine Messmaschine ein Teil</translation>
+    </message>
+    <message>
+      <source>All {whole} points are shown.</source>
+      <translation>Alle {whole} Punkte werden angezeigt.</translation>
+    </message>
+    <message>
+      <source>Amplitude</source>
+      <translation>Amplitude</translation>
+    </message>
+    <message>
       <source>Angle</source>
       <translation>Winkel</translation>
+    </message>
+    <message>
+      <source>Approach</source>
+      <translation>Antastrichtung</translation>
+    </message>
+    <message>
+      <source>Blue: well known. Yellow: the least known points of this edge</source>
+      <translation>Blau: genau bekannt. Gelb: die am wenigsten genau bekannten Punkte dieser Kante</translation>
     </message>
     <message>
       <source>Bring a 3D view to the front, then start again.</source>
@@ -731,12 +787,36 @@
       <translation>Abbrechen</translation>
     </message>
     <message>
+      <source>Change what you like; OK keeps it. A click on the cloud scans another edge.</source>
+      <translation>Beliebig ändern; OK behält es. Ein Klick auf die Punktwolke tastet eine andere Kante ab.</translation>
+    </message>
+    <message>
+      <source>Chord height</source>
+      <translation>Sehnenhöhe</translation>
+    </message>
+    <message>
+      <source>Click near the edge where the scan is to end. OK keeps all of it.</source>
+      <translation>Nahe der Kante klicken, wo die Abtastung enden soll. OK behält sie ganz.</translation>
+    </message>
+    <message>
       <source>Click on the cloud near a rim of the pipe: the edge is followed both ways until it ends. Then OK keeps it; Undo takes it away again.</source>
       <translation>Nahe einem Rand der Rinne auf die Punktwolke klicken: Die Kante wird in beide Richtungen verfolgt, bis sie endet. OK behält sie; Rückgängig nimmt sie wieder weg.</translation>
     </message>
     <message>
       <source>Click on the cloud, near the edge you want to scan.</source>
       <translation>Auf die Punktwolke klicken, nahe der Kante, die abgetastet werden soll.</translation>
+    </message>
+    <message>
+      <source>Click on the cloud, near the edge you want, where the scan begins.</source>
+      <translation>Auf die Punktwolke klicken, nahe der gewünschten Kante, wo die Abtastung beginnt.</translation>
+    </message>
+    <message>
+      <source>Click on the cloud, near the edge you want.</source>
+      <translation>Auf die Punktwolke klicken, nahe der gewünschten Kante.</translation>
+    </message>
+    <message>
+      <source>Click to see the section there. Arrows: along the edge</source>
+      <translation>Klicken zeigt den Schnitt dort. Pfeiltasten: entlang der Kante</translation>
     </message>
     <message>
       <source>Close the guide</source>
@@ -751,8 +831,16 @@
       <translation>Punktabstand</translation>
     </message>
     <message>
+      <source>Colour by sigma</source>
+      <translation>Nach Sigma färben</translation>
+    </message>
+    <message>
       <source>Compensate cloud</source>
       <translation>Punktwolke korrigieren</translation>
+    </message>
+    <message>
+      <source>Compensation</source>
+      <translation>Tasterkorrektur</translation>
     </message>
     <message>
       <source>Computing. Cancel gives it up.</source>
@@ -765,6 +853,42 @@
     <message>
       <source>Core box, a small piece</source>
       <translation>Kernkasten, ein kleines Stück</translation>
+    </message>
+    <message>
+      <source>Cross-section of the edge</source>
+      <translation>Querschnitt der Kante</translation>
+    </message>
+    <message>
+      <source>Degree</source>
+      <translation>Grad</translation>
+    </message>
+    <message>
+      <source>Degree of a line section</source>
+      <translation>Grad eines Linienschnitts</translation>
+    </message>
+    <message>
+      <source>Direction the probe came along; the air lies against it</source>
+      <translation>Richtung, in der der Taster kam; die Luft liegt ihr entgegen</translation>
+    </message>
+    <message>
+      <source>Distance of the cloud's points, which tells a gap from surface</source>
+      <translation>Abstand der Punkte der Punktwolke; er unterscheidet Lücken von Oberfläche</translation>
+    </message>
+    <message>
+      <source>Distance of the edge points</source>
+      <translation>Abstand der Kantenpunkte</translation>
+    </message>
+    <message>
+      <source>Distance of the points on a scan line</source>
+      <translation>Abstand der Punkte auf einer Abtastlinie</translation>
+    </message>
+    <message>
+      <source>Edge pitch</source>
+      <translation>Kantenpunktabstand</translation>
+    </message>
+    <message>
+      <source>Edge point</source>
+      <translation>Kantenpunkt</translation>
     </message>
     <message>
       <source>Edge points with sigma</source>
@@ -783,6 +907,18 @@
       <translation>Kanten und Flächen</translation>
     </message>
     <message>
+      <source>Edit scanned edge</source>
+      <translation>Abgetastete Kante bearbeiten</translation>
+    </message>
+    <message>
+      <source>Edit the scan</source>
+      <translation>Abtastung bearbeiten</translation>
+    </message>
+    <message>
+      <source>End the scan and keep the edge as far as it is known</source>
+      <translation>Die Abtastung beenden und die Kante behalten, soweit sie bekannt ist</translation>
+    </message>
+    <message>
       <source>Error to expect</source>
       <translation>Zu erwartender Fehler</translation>
     </message>
@@ -795,8 +931,48 @@
       <translation>Zuerst das offene Aufgabenfenster abschließen oder abbrechen.</translation>
     </message>
     <message>
+      <source>Gate, 1 of 2: click beside the edge on the same side. OK needs no gate.</source>
+      <translation>Ziel, 1 von 2: Auf derselben Seite neben die Kante klicken. OK geht auch ohne Ziel.</translation>
+    </message>
+    <message>
+      <source>Gate, 2 of 2: click across the edge.</source>
+      <translation>Ziel, 2 von 2: Jenseits der Kante klicken.</translation>
+    </message>
+    <message>
+      <source>Go along the edge</source>
+      <translation>Die Kante entlanggehen</translation>
+    </message>
+    <message>
+      <source>Hide the points before and behind the section that is looked at</source>
+      <translation>Die Punkte vor und hinter dem betrachteten Schnitt ausblenden</translation>
+    </message>
+    <message>
+      <source>Hold Ctrl for clicks.</source>
+      <translation>Zum Klicken Strg gedrückt halten.</translation>
+    </message>
+    <message>
       <source>Hold Ctrl while clicking.</source>
       <translation>Beim Klicken Strg gedrückt halten.</translation>
+    </message>
+    <message>
+      <source>How far the measuring machine goes on looking for the surface</source>
+      <translation>Wie weit die Messmaschine nach der Oberfläche weitersucht</translation>
+    </message>
+    <message>
+      <source>How the direction of the edge is found</source>
+      <translation>Wie die Richtung der Kante gefunden wird</translation>
+    </message>
+    <message>
+      <source>How the next scan line is placed</source>
+      <translation>Wie die nächste Abtastlinie gelegt wird</translation>
+    </message>
+    <message>
+      <source>How the probe radius is taken off</source>
+      <translation>Wie der Tasterradius abgezogen wird</translation>
+    </message>
+    <message>
+      <source>How the scan lines follow each other</source>
+      <translation>Wie die Abtastlinien aufeinander folgen</translation>
     </message>
     <message>
       <source>Import cloud</source>
@@ -807,8 +983,42 @@
       <translation>Zoll</translation>
     </message>
     <message>
+      <source>Kept as far as it was scanned: a gate ends it there now.</source>
+      <translation>Behalten, soweit abgetastet: Ein Ziel beendet die Kante jetzt dort.</translation>
+    </message>
+    <message>
+      <source>Largest deviation of the chord between two edge points from the edge</source>
+      <translation>Größte Abweichung der Sehne zwischen zwei Kantenpunkten von der Kante</translation>
+    </message>
+    <message>
       <source>Length</source>
       <translation>Länge</translation>
+    </message>
+    <message>
+      <source>Length of a scan line along the surface, half of it on each side</source>
+      <translation>Länge einer Abtastlinie entlang der Oberfläche, zur Hälfte auf jeder Seite</translation>
+    </message>
+    <message>
+      <source>Line by line (probe)</source>
+      <translation>Linie für Linie (probe)</translation>
+    </message>
+    <message>
+      <source>Line pitch</source>
+      <translation>Linienpunktabstand</translation>
+    </message>
+    <message>
+      <source>Look along the edge</source>
+      <translation>Entlang der Kante blicken</translation>
+    </message>
+    <message>
+      <source>Looking for
+the edge …</source>
+      <translation>Die Kante
+wird gesucht …</translation>
+    </message>
+    <message>
+      <source>Make every parameter automatic again</source>
+      <translation>Alle Parameter wieder automatisch bestimmen</translation>
     </message>
     <message>
       <source>Mean sigma</source>
@@ -823,12 +1033,20 @@
       <translation>Millimeter</translation>
     </message>
     <message>
+      <source>No point cloud can be seen. Show one in the tree, then click on it.</source>
+      <translation>Es ist keine Punktwolke zu sehen. Eine im Baum einblenden, dann darauf klicken.</translation>
+    </message>
+    <message>
       <source>Noise level</source>
       <translation>Rauschen</translation>
     </message>
     <message>
       <source>Nothing with a shape is selected or shown. Select scanned edges or surfaces.</source>
       <translation>Nichts, was eine Form hat, ist ausgewählt oder eingeblendet. Abgetastete Kanten oder Flächen auswählen.</translation>
+    </message>
+    <message>
+      <source>OK keeps this edge. Click elsewhere to scan another one instead.</source>
+      <translation>OK behält diese Kante. Anderswo klicken, um stattdessen eine andere abzutasten.</translation>
     </message>
     <message>
       <source>OK keeps this. Click elsewhere to begin again.</source>
@@ -839,12 +1057,32 @@
       <translation>OK tastet diese Kante mit diesen Parametern Linie für Linie ab. Anderswo klicken, um stattdessen dort zu messen.</translation>
     </message>
     <message>
+      <source>Of the cloud's points, in pixels; own: as elsewhere</source>
+      <translation>Der Punkte der Punktwolke, in Pixeln; eigene: wie sonst auch</translation>
+    </message>
+    <message>
+      <source>On average: sigma {sigma}, angle {angle}</source>
+      <translation>Im Mittel: Sigma {sigma}, Winkel {angle}</translation>
+    </message>
+    <message>
+      <source>One click: the whole edge</source>
+      <translation>Ein Klick: die ganze Kante</translation>
+    </message>
+    <message>
       <source>One point for each pitch² of surface.</source>
       <translation>Ein Punkt je Punktabstand² Oberfläche.</translation>
     </message>
     <message>
       <source>One point stays for each pitch² of surface.</source>
       <translation>Ein Punkt je Punktabstand² Oberfläche bleibt.</translation>
+    </message>
+    <message>
+      <source>Only points at the section</source>
+      <translation>Nur Punkte am Schnitt</translation>
+    </message>
+    <message>
+      <source>Open a 3D view of this document first.</source>
+      <translation>Zuerst eine 3D-Ansicht dieses Dokuments öffnen.</translation>
     </message>
     <message>
       <source>Open a document first, or import a cloud.</source>
@@ -855,6 +1093,14 @@
       <translation>P&amp;unktabstand:</translation>
     </message>
     <message>
+      <source>Parameters</source>
+      <translation>Parameter</translation>
+    </message>
+    <message>
+      <source>Pattern</source>
+      <translation>Muster</translation>
+    </message>
+    <message>
       <source>Picture with histogram</source>
       <translation>Bild mit Histogramm</translation>
     </message>
@@ -863,12 +1109,28 @@
       <translation>Punktwolken</translation>
     </message>
     <message>
+      <source>Point size</source>
+      <translation>Punktgröße</translation>
+    </message>
+    <message>
+      <source>Prehit distance</source>
+      <translation>Antastabstand</translation>
+    </message>
+    <message>
       <source>Probe &amp;radius:</source>
       <translation>Taster&amp;radius:</translation>
     </message>
     <message>
+      <source>Probe radius</source>
+      <translation>Tasterradius</translation>
+    </message>
+    <message>
       <source>Radius of a ball that rolls over the part; the points are its centres. 0: the points lie on the part.</source>
       <translation>Radius einer Kugel, die über das Teil rollt; die Punkte sind ihre Mittelpunkte. 0: Die Punkte liegen auf dem Teil.</translation>
+    </message>
+    <message>
+      <source>Radius of the ball whose centres the cloud holds; 0: surface points</source>
+      <translation>Radius der Kugel, deren Mittelpunkte die Punktwolke enthält; 0: Oberflächenpunkte</translation>
     </message>
     <message>
       <source>Radius of the ball, when the file holds the centres of a probing ball; 0: the points lie on the part.</source>
@@ -887,8 +1149,16 @@
       <translation>Bericht</translation>
     </message>
     <message>
+      <source>Reset</source>
+      <translation>Zurücksetzen</translation>
+    </message>
+    <message>
       <source>Rounding</source>
       <translation>Verrundung</translation>
+    </message>
+    <message>
+      <source>Rounding radius</source>
+      <translation>Verrundungsradius</translation>
     </message>
     <message>
       <source>Save deviations</source>
@@ -907,6 +1177,42 @@
       <translation>Kante abtasten</translation>
     </message>
     <message>
+      <source>Scan lines</source>
+      <translation>Abtastlinien</translation>
+    </message>
+    <message>
+      <source>Scanning tolerance of a line section</source>
+      <translation>Abtasttoleranz eines Linienschnitts</translation>
+    </message>
+    <message>
+      <source>Search distance</source>
+      <translation>Suchabstand</translation>
+    </message>
+    <message>
+      <source>Section</source>
+      <translation>Schnitt</translation>
+    </message>
+    <message>
+      <source>Show scan lines</source>
+      <translation>Abtastlinien anzeigen</translation>
+    </message>
+    <message>
+      <source>Show where across the edge each point was measured</source>
+      <translation>Zeigen, wo quer zur Kante jeder Punkt gemessen wurde</translation>
+    </message>
+    <message>
+      <source>Sigma</source>
+      <translation>Sigma</translation>
+    </message>
+    <message>
+      <source>Sigma, angle and rounding along the edge</source>
+      <translation>Sigma, Winkel und Verrundung entlang der Kante</translation>
+    </message>
+    <message>
+      <source>Sigma, angle and rounding along the edge are shown here.</source>
+      <translation>Hier erscheinen Sigma, Winkel und Verrundung entlang der Kante.</translation>
+    </message>
+    <message>
       <source>Simulated cloud</source>
       <translation>Simulierte Punktwolke</translation>
     </message>
@@ -919,8 +1225,20 @@
       <translation>Standardabweichung der Punkte entlang der Normalen.</translation>
     </message>
     <message>
+      <source>Steering</source>
+      <translation>Lenkung</translation>
+    </message>
+    <message>
       <source>Step {number} of 3</source>
       <translation>Schritt {number} von 3</translation>
+    </message>
+    <message>
+      <source>Stop here</source>
+      <translation>Hier anhalten</translation>
+    </message>
+    <message>
+      <source>Stopped before there was enough of the edge to keep.</source>
+      <translation>Angehalten, bevor genug von der Kante da war, um sie zu behalten.</translation>
     </message>
     <message>
       <source>Stopping…</source>
@@ -929,6 +1247,10 @@
     <message>
       <source>Table</source>
       <translation>Tabelle</translation>
+    </message>
+    <message>
+      <source>Tangent</source>
+      <translation>Tangente</translation>
     </message>
     <message>
       <source>That is an edge: a native curve in the tree. Its properties say how exact it is and why it ends. Scan the other rim, too; Cross-section then finds the pipe's profile between them. With your own scan, begin with Import cloud.</source>
@@ -943,16 +1265,48 @@
       <translation>Das ist sehr klein. Ist die Datei in Metern?</translation>
     </message>
     <message>
+      <source>That is {label}, no point cloud. Click on a cloud, near an edge.</source>
+      <translation>Das ist {label}, keine Punktwolke. Auf eine Punktwolke klicken, nahe einer Kante.</translation>
+    </message>
+    <message>
       <source>The boundary is closed.</source>
       <translation>Die Umrandung ist geschlossen.</translation>
+    </message>
+    <message>
+      <source>The calculation broke off ({kind}: {error}).</source>
+      <translation>Die Berechnung brach ab ({kind}: {error}).</translation>
+    </message>
+    <message>
+      <source>The cloud has changed. Click near an edge again.</source>
+      <translation>Die Punktwolke hat sich geändert. Erneut nahe einer Kante klicken.</translation>
+    </message>
+    <message>
+      <source>The cloud is being prepared; your click will be answered.</source>
+      <translation>Die Punktwolke wird vorbereitet; der Klick wird danach beantwortet.</translation>
     </message>
     <message>
       <source>The cloud was deleted.</source>
       <translation>Die Punktwolke wurde gelöscht.</translation>
     </message>
     <message>
+      <source>The cloud was deleted. Click on another one, near an edge.</source>
+      <translation>Die Punktwolke wurde gelöscht. Auf eine andere klicken, nahe einer Kante.</translation>
+    </message>
+    <message>
+      <source>The edge is being followed.</source>
+      <translation>Die Kante wird verfolgt.</translation>
+    </message>
+    <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
       <translation>Die Punkte liegen {distance} vom Ursprung entfernt, wo ein Dokument sie nicht genau halten kann. Näher gerückt sind sie genau; die Eigenschaft Origin der Punktwolke enthält den Weg zurück, und Exporte verwenden ihn.</translation>
+    </message>
+    <message>
+      <source>The section across the edge is shown here.</source>
+      <translation>Hier erscheint der Schnitt quer zur Kante.</translation>
+    </message>
+    <message>
+      <source>There is no point of a visible cloud there. Click on one, near an edge.</source>
+      <translation>Dort ist kein Punkt einer sichtbaren Punktwolke. Auf eine klicken, nahe einer Kante.</translation>
     </message>
     <message>
       <source>There is no point of a visible cloud under the cursor.</source>
@@ -983,20 +1337,192 @@
       <translation>Dieses Dokument zeigt {count} Punktwolken. Die gemeinte auswählen.</translation>
     </message>
     <message>
+      <source>Tick a parameter to set it yourself.</source>
+      <translation>Einen Parameter ankreuzen, um ihn selbst zu setzen.</translation>
+    </message>
+    <message>
+      <source>Tolerance</source>
+      <translation>Toleranz</translation>
+    </message>
+    <message>
       <source>Try it</source>
       <translation>Ausprobieren</translation>
+    </message>
+    <message>
+      <source>Turn the view so that the section is seen as it is drawn</source>
+      <translation>Die Ansicht so drehen, dass der Schnitt wie gezeichnet zu sehen ist</translation>
+    </message>
+    <message>
+      <source>Two clicks: edge and gate</source>
+      <translation>Zwei Klicks: Kante und Ziel</translation>
+    </message>
+    <message>
+      <source>View</source>
+      <translation>Ansicht</translation>
     </message>
     <message>
       <source>Web page</source>
       <translation>Webseite</translation>
     </message>
     <message>
+      <source>What your clicks stand for</source>
+      <translation>Was die Klicks bedeuten</translation>
+    </message>
+    <message>
+      <source>Wheel: zoom. Drag: move. Double click: show all. Arrows: along</source>
+      <translation>Rad: zoomen. Ziehen: verschieben. Doppelklick: alles zeigen. Pfeiltasten: entlang der Kante</translation>
+    </message>
+    <message>
+      <source>Where the measuring machine begins to move slowly</source>
+      <translation>Wo die Messmaschine beginnt, langsam zu fahren</translation>
+    </message>
+    <message>
+      <source>along +x</source>
+      <translation>entlang +x</translation>
+    </message>
+    <message>
+      <source>along +y</source>
+      <translation>entlang +y</translation>
+    </message>
+    <message>
+      <source>along -x</source>
+      <translation>entlang -x</translation>
+    </message>
+    <message>
+      <source>along -y</source>
+      <translation>entlang -y</translation>
+    </message>
+    <message>
+      <source>along the edge</source>
+      <translation>entlang der Kante</translation>
+    </message>
+    <message>
+      <source>angle {angle}</source>
+      <translation>Winkel {angle}</translation>
+    </message>
+    <message>
+      <source>bridges a gap in the cloud</source>
+      <translation>überbrückt eine Lücke der Punktwolke</translation>
+    </message>
+    <message>
+      <source>chosen with the first click</source>
+      <translation>wird mit dem ersten Klick gewählt</translation>
+    </message>
+    <message>
+      <source>curvature</source>
+      <translation>Krümmung</translation>
+    </message>
+    <message>
+      <source>curve</source>
+      <translation>Kurve</translation>
+    </message>
+    <message>
       <source>deviation, {unit}</source>
       <translation>Abweichung, {unit}</translation>
     </message>
     <message>
+      <source>down, -z</source>
+      <translation>nach unten, -z</translation>
+    </message>
+    <message>
+      <source>fitted sides</source>
+      <translation>angepasste Seiten</translation>
+    </message>
+    <message>
+      <source>interpolation</source>
+      <translation>Interpolation</translation>
+    </message>
+    <message>
+      <source>intersection</source>
+      <translation>Schnittpunkt</translation>
+    </message>
+    <message>
+      <source>intersection, as printed</source>
+      <translation>Schnittpunkt, wie gedruckt</translation>
+    </message>
+    <message>
+      <source>left out</source>
+      <translation>ausgelassen</translation>
+    </message>
+    <message>
+      <source>no rounding measurable</source>
+      <translation>keine Verrundung messbar</translation>
+    </message>
+    <message>
       <source>none</source>
       <translation>keine</translation>
+    </message>
+    <message>
+      <source>none measurable</source>
+      <translation>keine messbar</translation>
+    </message>
+    <message>
+      <source>not used</source>
+      <translation>nicht verwendet</translation>
+    </message>
+    <message>
+      <source>own</source>
+      <translation>eigene</translation>
+    </message>
+    <message>
+      <source>planes</source>
+      <translation>Ebenen</translation>
+    </message>
+    <message>
+      <source>point</source>
+      <translation>Punkt</translation>
+    </message>
+    <message>
+      <source>points</source>
+      <translation>Punkte</translation>
+    </message>
+    <message>
+      <source>polynomials</source>
+      <translation>Polynome</translation>
+    </message>
+    <message>
+      <source>probe</source>
+      <translation>Taster</translation>
+    </message>
+    <message>
+      <source>rounding</source>
+      <translation>Verrundung</translation>
+    </message>
+    <message>
+      <source>rounding {radius} ± {sigma} {unit}</source>
+      <translation>Verrundung {radius} ± {sigma} {unit}</translation>
+    </message>
+    <message>
+      <source>set by you</source>
+      <translation>selbst gesetzt</translation>
+    </message>
+    <message>
+      <source>sigma {length}</source>
+      <translation>Sigma {length}</translation>
+    </message>
+    <message>
+      <source>square</source>
+      <translation>rechtwinklig</translation>
+    </message>
+    <message>
+      <source>surface</source>
+      <translation>Oberfläche</translation>
+    </message>
+    <message>
+      <source>tangent</source>
+      <translation>Tangente</translation>
+    </message>
+    <message>
+      <source>up, +z</source>
+      <translation>nach oben, +z</translation>
+    </message>
+    <message>
+      <source>zigzag</source>
+      <translation>Zickzack</translation>
+    </message>
+    <message>
+      <source>{across} across, {out} out</source>
+      <translation>{across} quer, {out} nach außen</translation>
     </message>
     <message>
       <source>{clouds} clouds and {edges} edges are selected. Select two or three objects: one cloud, the edge to cut across, and another edge if there is one.</source>
@@ -1013,6 +1539,12 @@
     <message>
       <source>{count} clouds are selected. Select one of them.</source>
       <translation>{count} Punktwolken sind ausgewählt. Eine davon auswählen.</translation>
+    </message>
+    <message>
+      <source>{count} edge points
+{length}</source>
+      <translation>{count} Kantenpunkte
+{length}</translation>
     </message>
     <message>
       <source>{count} edges</source>
@@ -1053,6 +1585,14 @@
     <message>
       <source>{names}: {count} points.</source>
       <translation>{names}: {count} Punkte.</translation>
+    </message>
+    <message>
+      <source>{number} of {count}</source>
+      <translation>{number} von {count}</translation>
+    </message>
+    <message>
+      <source>{shown} of {whole} points are shown; all of them are computed with.</source>
+      <translation>{shown} von {whole} Punkten werden angezeigt; gerechnet wird mit allen.</translation>
     </message>
   </context>
   <context>
