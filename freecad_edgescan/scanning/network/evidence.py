@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sections on edges, all over a cloud: proposed at several scales and confirmed by the patches.
+
+What a smaller scale has found for certain is not looked for at a larger one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from ...cloud.point_cloud import PointCloud
+from ..patch_section import PatchSettings
+from ..section import Frames
+from .proposals import ALONG, SCALES, propose_sections
+from .sections import Sections, measure_sections
+from .spacing import best_apart
+
+__all__ = ["sections_on_edges"]
+
+_REACHES = (9.0, 9.0, 16.0)  # pitches, from an edge to each side, by scale
+_LARGEST_SIGMA = 0.5  # pitches
+_LEAST_COVER = 0.5
+_CERTAIN_SIGMA, _CERTAIN_COVER = 0.3, 0.75
+_CLAIMED = 2.5  # pitches beside a certain section, where nothing else is looked for
+_SAME_WAY = np.cos(np.radians(25.0))
+_ASIDE = 1.5  # pitches: two sections nearer than that beside each other are of one edge
+
+
+def sections_on_edges(
+    cloud: PointCloud, settings: PatchSettings, spacing: float = ALONG
+) -> Sections:
+    """Sections on the edges of a cloud, some pitches apart, in no order.
+
+    Parameters
+    ----------
+    settings : of a patch; the reach is chosen here
+    spacing : pitches, between two sections of an edge
+    """
+    pitch = settings.cloud_pitch
+    found: list[Sections] = []
+    for scale, reach in zip(SCALES, _REACHES, strict=True):
+        proposed = propose_sections(cloud, scale, settings.min_angle)
+        if found:
+            proposed = proposed[~_claimed(proposed, Sections.join(found), pitch)]
+        own = replace(settings, reach=reach * pitch)
+        measured = measure_sections(cloud, proposed, own)
+        found.append(measured[_sound(measured, settings)])
+    sections = Sections.join(found)
+    return sections[best_apart(sections.frames, sections.doubt, 0.6 * spacing * pitch, _ASIDE * pitch)]
+
+
+def _sound(sections: Sections, settings: PatchSettings) -> np.ndarray:
+    """Whether two sides surely meet there at more than the least angle, (m,)."""
+    with np.errstate(invalid="ignore"):
+        known = sections.sigma < _LARGEST_SIGMA * settings.cloud_pitch
+    turning = sections.frames.turn >= settings.min_angle
+    return sections.found & known & turning & (sections.cover > _LEAST_COVER)
+
+
+def _claimed(frames: Frames, sections: Sections, pitch: float) -> np.ndarray:
+    """Which proposals lie where an edge has been found for certain, (m,)."""
+    certain = sections.sigma < _CERTAIN_SIGMA * pitch
+    certain &= sections.cover > _CERTAIN_COVER
+    if not certain.any() or not len(frames):
+        return np.zeros(len(frames), dtype=bool)
+    known = sections.frames[certain]
+    count = min(6, len(known))
+    away, near = cKDTree(known.origin).query(
+        frames.origin, k=range(1, count + 1), distance_upper_bound=1.3 * ALONG * pitch, workers=-1
+    )
+    there = np.isfinite(away)
+    near = np.where(there, near, 0)
+    tangent = known.tangent[near]
+    offset = frames.origin[:, None] - known.origin[near]
+    ahead = np.einsum("nki,nki->nk", offset, tangent)
+    off = np.linalg.norm(offset - ahead[..., None] * tangent, axis=2)
+    alike = np.abs(np.einsum("nki,ni->nk", tangent, frames.tangent)) > _SAME_WAY
+    return np.any(there & alike & (off < _CLAIMED * pitch), axis=1)
