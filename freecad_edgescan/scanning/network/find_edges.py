@@ -15,8 +15,9 @@ from .chains import chains_of
 from .evidence import sections_on_edges
 from .joining import bridged
 from .sections import measure_sections
-from .tracing import edge_of_track
-from .tracks import Track, track_of
+from .confirming import confirmed
+from .tracing import Tracer
+from .tracks import split_at_corners, track_of
 
 _FEWEST = 2
 
@@ -28,16 +29,19 @@ def find_edges(cloud: PointCloud, min_angle: float = MIN_ANGLE):
     settings = chosen.settings
     sections = sections_on_edges(cloud, settings)
     T.append(time.process_time())
-    tracks = [track_of(sections, chain) for chain in chains_of(sections.frames, cloud.pitch, _FEWEST)]
+    tracks = [
+        part
+        for chain in chains_of(sections.frames, cloud.pitch, _FEWEST)
+        for part in split_at_corners(track_of(sections, chain))
+    ]
     T.append(time.process_time())
     tracks = bridged(cloud, tracks, settings)
     T.append(time.process_time())
-    edges = []
-    for track in tracks:
-        try:
-            edges.append(edge_of_track(cloud, track, chosen))
-        except ScanError as error:
-            print(len(track), error)
+    n = len(tracks)
+    tracks = confirmed(cloud, tracks, settings)
     T.append(time.process_time())
-    print('evidence,chains,bridge,finish',np.diff(T), len(tracks))
+    tracer = Tracer(cloud, tracks, chosen)
+    edges = [edge for number in range(len(tracks)) for edge in tracer.finish(number)]
+    T.append(time.process_time())
+    print('evidence,chains,bridge,confirm,finish',np.diff(T), n,len(tracks),len(edges))
     return edges

@@ -15,8 +15,9 @@ from ...geometry.frames import turned_along
 from ..section import Frames, Station, frames_from_sides
 from .chains import Chain
 from .sections import Sections
+from .soundness import corners_within
 
-__all__ = ["Track", "join_tracks", "reversed_track", "track_of"]
+__all__ = ["Track", "join_tracks", "reversed_track", "split_at_corners", "track_of"]
 
 _BESIDE = 2  # sections on each side that tell a tangent
 
@@ -70,6 +71,28 @@ def track_of(sections: Sections, chain: Chain) -> Track:
         frames.curvature[rows, other],
     )
     return _steadied(replace(own, frames=turned, begins=own.begins[rows, other]), chain.closed)
+
+
+def split_at_corners(track: Track) -> list[Track]:
+    """The track, or its parts between the corners that it turns; a corner's sections are left out."""
+    count = len(track)
+    corners = corners_within(track.sections.frames.origin, track.closed)
+    if not len(corners):
+        return [track]
+    order = np.arange(count)
+    if track.closed:
+        first = int(corners[0])
+        order = np.roll(order, -first)
+        corners = (corners - first) % count
+    parts, begin = [], 0
+    for corner in [*corners.tolist(), count]:
+        rows = order[begin:corner]
+        if len(rows) >= 2:
+            part = track.sections[rows]
+            ways = np.ones(len(rows), dtype=bool)
+            parts.append(track_of(part, Chain(np.arange(len(rows)), ways, False)))
+        begin = corner + 1
+    return parts
 
 
 def reversed_track(track: Track) -> Track:
