@@ -25,6 +25,7 @@ _FARTHEST = 8.0  # pitches from the end of an edge to its vertex, besides a roun
 _PASSING = 1.2  # pitches from a corner, at which an edge passes it
 _OFF_LINE = 1.0  # pitches, of a corner from an edge drawn out, that has no vertex of its own
 _DRAWN_OUT = 6  # edge points for that
+_LARGEST_SIGMA = 0.5  # pitches
 _KNOWN = 0.02  # pitches: no vertex is known better
 
 
@@ -75,7 +76,11 @@ def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
         point, covariance = _mean(points[mine], spread[mine], pitch)
         others = _drawn_out_to(edges, point, numbers[mine], of_ends, pitch)
         passing = _passing(edges, point, {*numbers[mine, 0], *(j for j, _ in others)}, pitch)
-        if len(mine) + len(others) < 2 and passing < 0:
+        worst = float(np.sqrt(np.linalg.eigvalsh(covariance)[-1]))
+        if worst > _LARGEST_SIGMA * pitch + unsure[mine].max():
+            continue
+        # Two edges alone make a corner where each of them has found it by itself.
+        if len(mine) + len(others) < 3 and len(mine) < 2 and passing < 0:
             continue
         misclosure = float(np.linalg.norm(points[mine] - point, axis=1).max())
         for number, k in [*numbers[mine].tolist(), *others]:

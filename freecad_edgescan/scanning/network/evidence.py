@@ -6,6 +6,7 @@ What a smaller scale has found for certain is not looked for at a larger one.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -13,7 +14,7 @@ from scipy.spatial import cKDTree
 
 from ...cloud.point_cloud import PointCloud
 from ..patch_section import PatchSettings
-from ..section import Frames
+from ..section import Frames, frames_from_sides
 from .proposals import ALONG, SCALES, propose_sections
 from .sections import Sections, measure_sections
 from .spacing import best_apart
@@ -30,7 +31,10 @@ _ASIDE = 1.5  # pitches: two sections nearer than that beside each other are of 
 
 
 def sections_on_edges(
-    cloud: PointCloud, settings: PatchSettings, spacing: float = ALONG
+    cloud: PointCloud,
+    settings: PatchSettings,
+    spacing: float = ALONG,
+    tell: Callable[[float], bool] | None = None,
 ) -> Sections:
     """Sections on the edges of a cloud, some pitches apart, in no order.
 
@@ -38,16 +42,22 @@ def sections_on_edges(
     ----------
     settings : of a patch; the reach is chosen here
     spacing : pitches, between two sections of an edge
+    tell : told the share that is done; where it answers False, the search ends
     """
     pitch = settings.cloud_pitch
     found: list[Sections] = []
-    for scale, reach in zip(SCALES, _REACHES, strict=True):
+    for number, (scale, reach) in enumerate(zip(SCALES, _REACHES, strict=True)):
+        if tell is not None and not tell(number / len(SCALES)):
+            break
         proposed = propose_sections(cloud, scale, settings.min_angle)
         if found:
             proposed = proposed[~_claimed(proposed, Sections.join(found), pitch)]
         own = replace(settings, reach=reach * pitch)
         measured = measure_sections(cloud, proposed, own)
         found.append(measured[_sound(measured, settings)])
+    if not found:
+        nothing = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2, 3))
+        return measure_sections(cloud, frames_from_sides(*nothing), settings)
     sections = Sections.join(found)
     return sections[best_apart(sections.frames, sections.doubt, 0.6 * spacing * pitch, _ASIDE * pitch)]
 
