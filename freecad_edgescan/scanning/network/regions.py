@@ -25,9 +25,10 @@ _SPACING, _POINTS = 1.6, 14  # pitches between nodes, and points of a node's nei
 _LINKED = 3.2  # pitches between neighbours
 _BESIDE = 6.0  # pitches from an edge, within which its sides are told apart, besides a rounding
 _OFF_RIM = 0.7  # pitches from an edge, within which a node belongs to neither side
-_TURN = np.cos(np.radians(35.0))
+_TURN = 0.3  # rad, between neighbours on one face, or what noise makes it
+_BY_CHANCE = 6.0  # standard deviations
 _FEWEST = 60  # points of a region
-_EDGES_NEAR = 3  # edge points of different edges that a node may be beside
+_EDGES_NEAR = 4  # edge points of different edges that a node may be beside
 _LOOKED_AT = 5  # nodes round a point, one of which it belongs to
 
 
@@ -52,7 +53,8 @@ def regions_between(cloud: PointCloud, edges: Sequence[ScannedEdge]) -> tuple[Re
     """Faces of a cloud, the largest first."""
     nodes = spread_nodes(cloud, _SPACING * cloud.pitch, _POINTS)
     beside = _Sides(edges, nodes.places, cloud.pitch)
-    label = _faces(nodes, beside, cloud.pitch)
+    chance = 2.0 * cloud.noise / cloud.pitch * np.sqrt(np.pi) / _POINTS
+    label = _faces(nodes, beside, cloud.pitch, max(_TURN, _BY_CHANCE * chance))
     of_points = labels_of(cloud, nodes, label)
     sizes = np.bincount(of_points[of_points >= 0], minlength=label.max() + 1)
     bounds = beside.bounds(label)
@@ -71,6 +73,7 @@ class _Sides:
         self.edge = np.full((count, _EDGES_NEAR), -1)
         self.side = np.full((count, _EDGES_NEAR), -1)
         tree = cKDTree(places)
+        self.rim = np.zeros(count, dtype=bool)
         filled = np.zeros(count, dtype=np.int64)
         for number, edge in enumerate(edges):
             if not len(edge):
@@ -79,7 +82,6 @@ class _Sides:
             reach = _BESIDE * pitch + 2.0 * max(rounded - pitch, 0.0)
             balls = tree.query_ball_point(edge.points, reach)
             rows = np.unique(np.concatenate([np.asarray(ball, np.int64) for ball in balls]))
-            rows = rows[filled[rows] < _EDGES_NEAR]
             near = cKDTree(edge.points).query(places[rows])[1]
             offset = places[rows] - edge.points[near]
             ahead = np.einsum("ni,ni->n", offset, edge.tangents[near])
@@ -87,7 +89,9 @@ class _Sides:
             inner = np.abs(ahead) < 2.0 * pitch
             away = np.einsum("nki,ni->nk", edge.sides[near], offset)
             clear = np.abs(away[:, 0] - away[:, 1]) > _OFF_RIM * pitch
-            rows, away = rows[inner & clear], away[inner & clear]
+            self.rim[rows[inner & ~clear]] = True
+            wanted = inner & clear & (filled[rows] < _EDGES_NEAR)
+            rows, away = rows[wanted], away[wanted]
             self.edge[rows, filled[rows]] = number
             self.side[rows, filled[rows]] = away.argmax(axis=1)
             filled[rows] += 1
@@ -116,13 +120,13 @@ class _Sides:
         return found
 
 
-def _faces(nodes: Nodes, beside: _Sides, pitch: float) -> np.ndarray:
+def _faces(nodes: Nodes, beside: _Sides, pitch: float, turn: float) -> np.ndarray:
     """Number of the face of each node, (k,)."""
     count = len(nodes)
     pairs = cKDTree(nodes.places).query_pairs(_LINKED * pitch, output_type="ndarray")
     one, other = pairs[:, 0], pairs[:, 1]
-    alike = np.abs(np.einsum("ni,ni->n", nodes.normals[one], nodes.normals[other])) > _TURN
-    linked = alike & ~beside.parted(one, other)
+    alike = np.abs(np.einsum("ni,ni->n", nodes.normals[one], nodes.normals[other])) > np.cos(turn)
+    linked = alike & ~beside.rim[one] & ~beside.rim[other] & ~beside.parted(one, other)
     graph = coo_matrix(
         (np.ones(np.count_nonzero(linked)), (one[linked], other[linked])), shape=(count, count)
     )
