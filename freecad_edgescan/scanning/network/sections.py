@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import os
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -15,7 +17,8 @@ from ..side_fit import SideFits, block_counts, block_moments, choose_stretches, 
 
 __all__ = ["Sections", "measure_sections"]
 
-_AT_ONCE = 1_500_000  # points of slabs held at a time
+_AT_ONCE = 256  # sections measured together
+_THREADS = min(4, os.cpu_count() or 1)
 _FEWEST = 6  # points of a side
 _MOST_SCATTER = 5.0  # times the noise, of the better side, at which it is no side any more
 _HANGING = 3.0  # pitches: what an edge point may be off the nearest point besides a rounding
@@ -109,16 +112,17 @@ def measure_sections(
 def _measured(cloud: PointCloud, frames: Frames, settings: PatchSettings) -> Sections:
     if not len(frames):
         return _nothing(frames, settings.reach)
-    expected = np.pi * (settings.reach / settings.cloud_pitch) ** 2
-    pieces = max(1, int(len(frames) * expected / _AT_ONCE) + 1)
     # Neighbours lie in one piece, so that the tree's pages are met once.
-    return Sections.join(
-        [
-            _measured_at_once(cloud, frames[rows], settings)
-            for rows in np.array_split(np.arange(len(frames)), pieces)
-            if len(rows)
-        ]
-    )
+    pieces = [
+        frames[rows]
+        for rows in np.array_split(np.arange(len(frames)), -(-len(frames) // _AT_ONCE))
+    ]
+    if len(pieces) == 1:
+        return _measured_at_once(cloud, frames, settings)
+    with ThreadPoolExecutor(_THREADS) as pool:  # NumPy lets go of the interpreter's lock
+        return Sections.join(
+            list(pool.map(lambda piece: _measured_at_once(cloud, piece, settings), pieces))
+        )
 
 
 def _nothing(frames: Frames, reach: float) -> Sections:
@@ -163,10 +167,8 @@ def _measured_at_once(cloud: PointCloud, frames: Frames, settings: PatchSettings
     limit = 3.5 * np.maximum(spread, settings.noise)[kept.owner, kept.side]
     inliers = np.abs(residual) <= limit
     if not np.all(inliers):
-        removed = block_counts(kept[~inliers], len(frames), reach)
+        fits = _fitted_again(frames, kept, inliers, fits, settings)
         kept = kept[inliers]
-        left = block_counts(kept, len(frames), reach)
-        fits = _fit(frames, kept, settings, removed > 0.25 * (left + removed))
     corner = corners(frames, fits)
     found = np.all(fits.count >= _FEWEST, axis=1) & _reached(kept, len(frames)) & corner.found
     measured = frames_from_sides(
@@ -195,7 +197,7 @@ def _slabs(cloud: PointCloud, frames: Frames, settings: PatchSettings) -> Sectio
     half_width = settings.half_width
     radius = float(np.hypot(settings.reach, half_width)) * 1.05
     balls = cloud.tree.query_ball_point(
-        frames.origin, radius, return_sorted=False, workers=-1
+        frames.origin, radius, return_sorted=False
     )
     sizes = np.array([len(ball) for ball in balls])
     owner = np.repeat(np.arange(len(frames)), sizes)
@@ -226,6 +228,33 @@ def _fit(
     return choose_stretches(
         moments, reach, settings.noise, frames.curvature * reach, doubtful=doubtful
     )
+
+
+def _fitted_again(
+    frames: Frames,
+    points: SectionPoints,
+    inliers: np.ndarray,
+    fits: SideFits,
+    settings: PatchSettings,
+) -> SideFits:
+    """The fits, those of sections with outliers without these."""
+    rows = np.unique(points.owner[~inliers])
+    number = np.full(len(frames), -1)
+    number[rows] = np.arange(len(rows))
+    theirs = number[points.owner] >= 0
+    own = points[theirs]
+    own = replace(own, owner=number[own.owner])
+    kept = inliers[theirs]
+    removed, left = (
+        block_counts(own[part], len(rows), settings.reach) for part in (~kept, kept)
+    )
+    again = _fit(frames[rows], own[kept], settings, removed > 0.25 * (left + removed))
+    arrays = {
+        each.name: _replaced(getattr(fits, each.name), rows, getattr(again, each.name))
+        for each in fields(fits)
+        if each.name != "reach"
+    }
+    return replace(fits, **arrays)
 
 
 def _reached(points: SectionPoints, sections: int) -> np.ndarray:
