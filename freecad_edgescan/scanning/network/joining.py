@@ -17,6 +17,7 @@ from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
 from .chains import follow
 from .sections import Sections, measure_sections
+from .strips import NOBODY, Strips
 from .tracks import Track, join_tracks, reversed_track
 
 __all__ = ["bridged"]
@@ -24,12 +25,14 @@ __all__ = ["bridged"]
 _WIDEST = 24.0  # pitches, of a gap
 _STEP = 2.5  # pitches, between the sections looked for in it
 _SPEAKS_AGAINST = 0.34  # share of the places with points where no edge is found
+_OVERLAP = 1.8  # pitches along an edge between two sections of one place
 _POINTS_NEAR = 2.0  # pitches
 
 
 def bridged(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> list[Track]:
     """Tracks joined to edges, the longest first."""
-    tracks, pitch = list(tracks), settings.cloud_pitch
+    pitch = settings.cloud_pitch
+    tracks = _without_overlaps(tracks, pitch)
     refused: set[tuple[bytes, bytes]] = set()
     while True:
         pair = _nearest_ends(tracks, pitch, refused)
@@ -47,6 +50,24 @@ def bridged(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> 
         joined = join_tracks([part for part in parts if len(part)], closed=one == other)
         tracks = [track for number, track in enumerate(tracks) if number not in (one, other)]
         tracks.append(joined)
+
+
+def _without_overlaps(tracks: list[Track], pitch: float) -> list[Track]:
+    """The tracks, without what lies beside a longer one: so their ends face each other."""
+    strips, kept = Strips(pitch), []
+    for track in sorted(tracks, key=lambda track: track.length, reverse=True):
+        frames = track.sections.frames
+        held = strips.holders(frames.origin, frames.tangent, along=_OVERLAP) != NOBODY
+        if held.all():
+            continue
+        if held.any():
+            runs = np.split(np.arange(len(held)), np.flatnonzero(np.diff(held.astype(int))) + 1)
+            longest = max((run for run in runs if not held[run[0]]), key=len)
+            track = Track(track.sections[longest], False)
+        frames = track.sections.frames
+        strips.take(len(kept), frames.origin, frames.tangent)
+        kept.append(track)
+    return kept
 
 
 End = tuple[int, int]

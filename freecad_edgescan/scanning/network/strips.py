@@ -42,14 +42,14 @@ class Strips:
         self._tree = None
 
     def holders(
-        self, places: np.ndarray, tangents: np.ndarray, but: int = NOBODY, aside: float = _ASIDE
+        self, places: np.ndarray, tangents: np.ndarray, but: int = NOBODY, along: float = _ALONG
     ) -> np.ndarray:
         """Who owns the strip at places (n, 3) along tangents, (n,); NOBODY where nobody does.
 
         Parameters
         ----------
         but : an owner who does not count
-        aside : how far beside an edge a place may be, pitches
+        along : how far along an edge from a place that is taken, pitches
         """
         tree = self._indexed()
         found = np.full(len(places), NOBODY)
@@ -65,7 +65,8 @@ class Strips:
         own = self._tangents[near]
         ahead = np.einsum("nki,nki->nk", offset, own)
         off = np.linalg.norm(offset - ahead[..., None] * own, axis=2)
-        held = there & (self._owners[near] != but) & (off <= aside * self._pitch)
+        held = there & (self._owners[near] != but) & (off <= _ASIDE * self._pitch)
+        held &= np.abs(ahead) <= along * self._pitch
         held &= np.abs(np.einsum("nki,ni->nk", own, tangents)) > _SAME_WAY
         first = held.argmax(axis=1)
         return np.where(held.any(axis=1), self._owners[near[np.arange(len(near)), first]], NOBODY)
