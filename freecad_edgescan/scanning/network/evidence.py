@@ -59,7 +59,9 @@ def sections_on_edges(
         nothing = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2, 3))
         return measure_sections(cloud, frames_from_sides(*nothing), settings)
     sections = Sections.join(found)
-    return sections[best_apart(sections.frames, sections.doubt, 0.6 * spacing * pitch, _ASIDE * pitch)]
+    return sections[
+        best_apart(sections.frames, sections.doubt, 0.6 * spacing * pitch, _ASIDE * pitch)
+    ]
 
 
 def _sound(sections: Sections, settings: PatchSettings) -> np.ndarray:

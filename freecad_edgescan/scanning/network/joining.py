@@ -114,7 +114,12 @@ def _nearest_ends(
 
 
 def _gap(
-    cloud: PointCloud, one: Track, end_one: int, other: Track, end_other: int, settings: PatchSettings
+    cloud: PointCloud,
+    one: Track,
+    end_one: int,
+    other: Track,
+    end_other: int,
+    settings: PatchSettings,
 ) -> list[Track] | None:
     """What lies between two ends, as a track or nothing; None when it speaks against an edge."""
     pitch = settings.cloud_pitch
@@ -144,9 +149,7 @@ def _between(leave: Frames, arrive: Frames, distance: float, share: np.ndarray) 
         (2 * s**3 - 3 * s**2 + 1) * p + (s**3 - 2 * s**2 + s) * u
         + (3 * s**2 - 2 * s**3) * q + (s**3 - s**2) * v
     )  # fmt: skip
-    tangent = (
-        (6 * s**2 - 6 * s) * (p - q) + (3 * s**2 - 4 * s + 1) * u + (3 * s**2 - 2 * s) * v
-    )
+    tangent = (6 * s**2 - 6 * s) * (p - q) + (3 * s**2 - 4 * s + 1) * u + (3 * s**2 - 2 * s) * v
     sides = np.repeat(leave.sides, len(share), axis=0)
     bend = np.repeat(0.5 * (leave.bend + arrive.bend), len(share), axis=0)
     tangent = tangent / np.linalg.norm(tangent, axis=1, keepdims=True)

@@ -81,7 +81,13 @@ def _proposed(nodes: Nodes, radius: float, least: float, even: float) -> tuple[F
 
 
 def _of_nodes(
-    nodes: Nodes, rows: np.ndarray, tree: cKDTree, count: int, radius: float, least: float, even: float
+    nodes: Nodes,
+    rows: np.ndarray,
+    tree: cKDTree,
+    count: int,
+    radius: float,
+    least: float,
+    even: float,
 ) -> tuple[Frames, np.ndarray]:
     _, near = tree.query(
         nodes.places[rows], k=range(1, count + 1), distance_upper_bound=radius, workers=-1

@@ -114,8 +114,7 @@ def _measured(cloud: PointCloud, frames: Frames, settings: PatchSettings) -> Sec
         return _nothing(frames, settings.reach)
     # Neighbours lie in one piece, so that the tree's pages are met once.
     pieces = [
-        frames[rows]
-        for rows in np.array_split(np.arange(len(frames)), -(-len(frames) // _AT_ONCE))
+        frames[rows] for rows in np.array_split(np.arange(len(frames)), -(-len(frames) // _AT_ONCE))
     ]
     if len(pieces) == 1:
         return _measured_at_once(cloud, frames, settings)
@@ -196,9 +195,7 @@ def _slabs(cloud: PointCloud, frames: Frames, settings: PatchSettings) -> Sectio
     """Points within the reach of each section and half a width along the edge."""
     half_width = settings.half_width
     radius = float(np.hypot(settings.reach, half_width)) * 1.05
-    balls = cloud.tree.query_ball_point(
-        frames.origin, radius, return_sorted=False
-    )
+    balls = cloud.tree.query_ball_point(frames.origin, radius, return_sorted=False)
     sizes = np.array([len(ball) for ball in balls])
     owner = np.repeat(np.arange(len(frames)), sizes)
     index = np.fromiter((row for ball in balls for row in ball), np.int64, int(sizes.sum()))
@@ -245,9 +242,7 @@ def _fitted_again(
     own = points[theirs]
     own = replace(own, owner=number[own.owner])
     kept = inliers[theirs]
-    removed, left = (
-        block_counts(own[part], len(rows), settings.reach) for part in (~kept, kept)
-    )
+    removed, left = (block_counts(own[part], len(rows), settings.reach) for part in (~kept, kept))
     again = _fit(frames[rows], own[kept], settings, removed > 0.25 * (left + removed))
     arrays = {
         each.name: _replaced(getattr(fits, each.name), rows, getattr(again, each.name))
