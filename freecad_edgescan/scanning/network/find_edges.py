@@ -10,6 +10,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -17,6 +19,7 @@ from ...cloud.point_cloud import PointCloud, require_surface
 from ..automatic import MIN_ANGLE, Chosen, choose_parameters
 from ..errors import ScanError
 from ..parameters import ScanParameters
+from ..patch_section import PatchSettings
 from ..progress import Progress
 from ..scanned_edge import ScannedEdge
 from .chains import chains_of
@@ -32,6 +35,7 @@ __all__ = ["find_edges"]
 _FEWEST = 2  # sections of a track
 _SHORTEST = 8.0  # pitches, of an edge
 _LOOKING, _TRACKING = 0.35, 0.4  # share of the work that is done then
+_REACH, _EDGE_PITCH, _LEAST_NOISE = 22.0, 2.0, 0.03  # pitches, as of a scan from a click
 _STRAY = 0.5  # pitches of scatter along the normal, that no surface has
 
 
@@ -114,12 +118,28 @@ def _cut_out(cloud: PointCloud, region: ArrayLike) -> PointCloud:
 def _chosen(cloud: PointCloud, min_angle: float) -> Chosen:
     """One set of parameters for all edges, which the cloud's own pitch and noise tell."""
     pitch = cloud.pitch
-    given = ScanParameters(cloud_pitch=pitch, edge_pitch=2.0 * pitch)
-    chosen = choose_parameters(cloud, cloud.points[len(cloud) // 2], given, min_angle)
+    chosen = choose_parameters(cloud, cloud.points[len(cloud) // 2], ScanParameters(), min_angle)
+    probe = cloud.probe_radius
+    amplitude, edge_pitch = 2.0 * (_REACH * pitch + probe), _EDGE_PITCH * pitch
+    of_the_cloud = "the whole cloud's pitch"
     return Chosen(
-        chosen.parameters,
-        {name: reason for name, reason in chosen.reasons.items() if reason != "given"},
-        chosen.settings,
+        replace(
+            chosen.parameters, amplitude=amplitude, edge_pitch=edge_pitch, cloud_pitch=pitch
+        ),
+        {
+            **chosen.reasons,
+            "amplitude": f"{2.0 * _REACH:g} times {of_the_cloud}",
+            "edge_pitch": f"{_EDGE_PITCH:g} times {of_the_cloud}",
+            "cloud_pitch": of_the_cloud,
+        },
+        PatchSettings(
+            0.5 * amplitude,
+            edge_pitch,
+            pitch,
+            max(cloud.noise, _LEAST_NOISE * pitch),
+            probe,
+            min_angle,
+        ),
     )
 
 
