@@ -81,11 +81,12 @@ def _write(options: argparse.Namespace, network: EdgeNetwork, written: list[Path
     if options.output:
         try:
             from freecad_edgescan.document import export_step
+            from freecad_edgescan.document.network_shape import network_shape
         except ImportError as error:
             raise ValueError(
                 f"{options.output} needs FreeCAD, which did not load ({error}); write .csv instead."
             ) from error
-        export_step(list(network.edges), options.output)
+        export_step([network_shape(network)], options.output)
         written.append(options.output)
     if options.picture:
         from freecad_edgescan.experiments import draw_edges

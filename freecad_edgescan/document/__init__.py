@@ -23,10 +23,13 @@ if TYPE_CHECKING:
     from .deviation_from_shape import shape_deviation as shape_deviation
     from .deviation_from_shape import write_deviations as write_deviations
     from .deviation_map import make_deviation_map as make_deviation_map
+    from .edge_network import make_edge_network as make_edge_network
     from .export import export_step as export_step
     from .extended_surface import make_extended_surface as make_extended_surface
     from .fitted_surface import make_fitted_surface as make_fitted_surface
     from .native_edge import edge_shape as edge_shape
+    from .network_shape import network_shape as network_shape
+    from .network_shape import network_wires as network_wires
     from .scanned_edge import make_scanned_edge as make_scanned_edge
     from .sharp_edges import true_edges as true_edges
     from .simulated_shape import simulate_cloud as simulate_cloud
@@ -41,6 +44,9 @@ _HOME_OF = {
     "make_arc_profile": "arc_profile",
     "make_casestudy": "casestudy",
     "make_cloud": "cloud_object",
+    "make_edge_network": "edge_network",
+    "network_shape": "network_shape",
+    "network_wires": "network_shape",
     "make_demo": "demo",
     "make_cloud_segment": "cloud_segment",
     "make_fitted_surface": "fitted_surface",

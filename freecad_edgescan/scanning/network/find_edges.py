@@ -123,9 +123,7 @@ def _chosen(cloud: PointCloud, min_angle: float) -> Chosen:
     amplitude, edge_pitch = 2.0 * (_REACH * pitch + probe), _EDGE_PITCH * pitch
     of_the_cloud = "the whole cloud's pitch"
     return Chosen(
-        replace(
-            chosen.parameters, amplitude=amplitude, edge_pitch=edge_pitch, cloud_pitch=pitch
-        ),
+        replace(chosen.parameters, amplitude=amplitude, edge_pitch=edge_pitch, cloud_pitch=pitch),
         {
             **chosen.reasons,
             "amplitude": f"{2.0 * _REACH:g} times {of_the_cloud}",
