@@ -24,6 +24,9 @@ __all__ = ["sections_on_edges"]
 _REACHES = (9.0, 9.0, 16.0)  # pitches, from an edge to each side, by scale
 _LARGEST_SIGMA = 0.5  # pitches
 _LEAST_COVER = 0.5
+_SURE_SIGMA, _BENT = 0.19, 0.035  # pitches, and 1/pitches: a short look at a sharp edge is better
+_LOOKS = 4  # with the whole reach, until a section stands
+_STANDS, _TURNED = 0.25, 0.05  # pitches and rad, from one look to the next
 _CERTAIN_SIGMA, _CERTAIN_COVER = 0.3, 0.75
 _CLAIMED = 2.5  # pitches beside a certain section, where nothing else is looked for
 _SAME_WAY = np.cos(np.radians(25.0))
@@ -53,7 +56,7 @@ def sections_on_edges(
         if found:
             proposed = proposed[~_claimed(proposed, Sections.join(found), pitch)]
         own = replace(settings, reach=reach * pitch)
-        measured = measure_sections(cloud, proposed, own)
+        measured = _seen_farther(cloud, measure_sections(cloud, proposed, own), settings)
         found.append(measured[_sound(measured, settings)])
     if not found:
         nothing = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2, 3))
@@ -62,6 +65,30 @@ def sections_on_edges(
     return sections[
         best_apart(sections.frames, sections.doubt, 0.6 * spacing * pitch, _ASIDE * pitch)
     ]
+
+
+def _seen_farther(cloud: PointCloud, sections: Sections, settings: PatchSettings) -> Sections:
+    """The sections, those that may stand on a rounding measured again with the whole reach.
+
+    A short look at a wide rounding takes a part of it for a side, which is bent and known badly.
+    """
+    pitch = settings.cloud_pitch
+    with np.errstate(invalid="ignore"):
+        doubtful = sections.sigma > _SURE_SIGMA * pitch
+    doubtful |= np.abs(sections.frames.curvature).max(axis=1) > _BENT / pitch
+    rows = np.flatnonzero(sections.found & doubtful)
+    for _ in range(_LOOKS):
+        if not len(rows):
+            break
+        before = sections[rows]
+        after = measure_sections(cloud, before.frames, settings)
+        better = after.found & (after.sigma < 1.1 * before.sigma)
+        rows, before, after = rows[better], before[better], after[better]
+        sections = sections.replaced(rows, after)
+        moved = np.linalg.norm(after.frames.origin - before.frames.origin, axis=1)
+        turned = np.abs(after.frames.turn - before.frames.turn)
+        rows = rows[(moved > _STANDS * pitch) | (turned > _TURNED)]
+    return sections
 
 
 def _sound(sections: Sections, settings: PatchSettings) -> np.ndarray:

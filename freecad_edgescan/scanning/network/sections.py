@@ -71,6 +71,18 @@ class Sections:
             *(np.concatenate([getattr(part, name) for part in parts]) for name in names),
         )
 
+    def replaced(self, rows: np.ndarray, others: Sections) -> Sections:
+        """These sections, with others instead of some rows."""
+        frames = {
+            name: _replaced(getattr(self.frames, name), rows, getattr(others.frames, name))
+            for name in ("origin", "tangent", "sides", "normals", "bend", "curvature")
+        }
+        arrays = {
+            name: _replaced(getattr(self, name), rows, getattr(others, name))
+            for name in ("sigma", "noise", "begins", "cover", "found", "reach")
+        }
+        return Sections(Frames(**frames), **arrays)
+
     @property
     def doubt(self) -> np.ndarray:
         """How badly an edge is known, and how little of its sides it explains, (m,) mm."""
@@ -103,7 +115,7 @@ def measure_sections(
     result = _nothing(predicted, settings.reach)
     for _ in range(times):
         measured = _measured(cloud, frames, settings)
-        result = _put(result, alive, measured)
+        result = result.replaced(alive, measured)
         alive = alive[measured.found]
         frames = measured.frames[measured.found]
     return result
@@ -135,19 +147,6 @@ def _nothing(frames: Frames, reach: float) -> Sections:
         np.zeros(count, dtype=bool),
         np.full(count, reach),
     )
-
-
-def _put(result: Sections, rows: np.ndarray, measured: Sections) -> Sections:
-    """The result with some rows replaced."""
-    frames = {
-        name: _replaced(getattr(result.frames, name), rows, getattr(measured.frames, name))
-        for name in ("origin", "tangent", "sides", "normals", "bend", "curvature")
-    }
-    arrays = {
-        name: _replaced(getattr(result, name), rows, getattr(measured, name))
-        for name in ("sigma", "noise", "begins", "cover", "found", "reach")
-    }
-    return Sections(Frames(**frames), **arrays)
 
 
 def _replaced(values: np.ndarray, rows: np.ndarray, others: np.ndarray) -> np.ndarray:
