@@ -162,7 +162,7 @@ def _room(edges: Sequence[TrueEdge], pitch: float) -> NDArray[np.bool_]:
     """Whether the places of the edges have the room to be sought."""
     enough = [np.zeros(0, dtype=bool)]
     for edge, (places, _) in zip(edges, _sampled(edges, pitch), strict=True):
-        enough.append(edge.room[edge.nearest_sample(places)] >= ROOM * pitch)
+        enough.append(np.asarray(edge.room)[edge.nearest_sample(places)] >= ROOM * pitch)
     return np.concatenate(enough)
 
 

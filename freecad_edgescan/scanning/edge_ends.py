@@ -86,8 +86,8 @@ def led_to_vertex(
     if ahead[-1] > pitch:
         step = ahead[-1] - _SHORT * pitch
         # It has not been measured: its neighbours know better where the edge runs.
-        beyond = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
-        return [*stations, beyond]
+        onward = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
+        return [*stations, onward]
     kept = len(stations)
     while kept > _FEWEST and ahead[kept - 1] < 0.0:
         kept -= 1

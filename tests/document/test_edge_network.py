@@ -54,7 +54,7 @@ def test_the_object_finds_the_edges_and_computes_nothing_twice(
     made = document.make_edge_network(doc, cloud)
     doc.recompute()
     assert made.EdgeCount == 12 and made.CornerCount == 8
-    assert made.TotalLength.Value == pytest.approx(4 * sum(SIZE), rel=0.01)
+    assert made.Shape.Length == pytest.approx(4 * sum(SIZE), rel=0.01)
     assert "corner" not in made.Message and "12 edges" in made.Message
     before = made.InputHash
     made.touch()

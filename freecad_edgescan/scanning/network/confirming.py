@@ -23,7 +23,7 @@ _LARGEST_SIGMA, _LEAST_COVER = 0.45, 0.55
 
 
 def confirmed(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> list[Track]:
-    """The long tracks as they are, and of the short ones those that are confirmed, with more sections."""
+    """The long tracks as they are; of the short ones those that are confirmed, with more sections."""
     long = [track for track in tracks if len(track) >= _SHORT or track.closed]
     short = [track for track in tracks if not (len(track) >= _SHORT or track.closed)]
     if not short:
@@ -59,7 +59,7 @@ def _laid(track: Track, step: float) -> tuple[Frames, np.ndarray]:
     inside = np.clip(place, 0.0, at[-1])
     origin = np.stack([np.interp(inside, at, frames.origin[:, k]) for k in range(3)], axis=1)
     chord = frames.origin[-1] - frames.origin[0]
-    chord = chord / np.linalg.norm(chord)
+    chord = chord / max(float(np.linalg.norm(chord)), 1e-12)
     tangent = frames.tangent[nearest] if len(track) > 2 else np.repeat(chord[None], len(place), 0)
     origin = origin + (place - inside)[:, None] * tangent
     return (

@@ -82,8 +82,8 @@ class EdgeNetwork:
         """
         meeting: dict[int, list[int]] = {}
         for number, ends in enumerate(self.ends):
-            for corner in _numbers(ends):
-                meeting.setdefault(corner, []).append(number)
+            for met in _numbers(ends):
+                meeting.setdefault(met, []).append(number)
         chains, seen = [], set()
         for number in range(len(self.edges)):
             if number in seen:
@@ -91,7 +91,7 @@ class EdgeNetwork:
             seen.add(number)
             chain = [number]
             for k in (1, 0):
-                corner = self.ends[number][k]
+                corner: int | Stop = self.ends[number][k]
                 while not isinstance(corner, Stop) and len(meeting[corner]) == 2:
                     here = chain[-1] if k else chain[0]
                     others = [other for other in meeting[corner] if other != here]

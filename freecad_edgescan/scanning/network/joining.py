@@ -12,11 +12,11 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ...cloud.point_cloud import PointCloud
-from ..gait import predict, reversed_frame
+from ..gait import reversed_frame
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
 from .chains import follow
-from .sections import Sections, measure_sections
+from .sections import measure_sections
 from .strips import NOBODY, Strips
 from .tracks import Track, join_tracks, reversed_track
 
@@ -54,7 +54,8 @@ def bridged(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> 
 
 def _without_overlaps(tracks: list[Track], pitch: float) -> list[Track]:
     """The tracks, without what lies beside a longer one: so their ends face each other."""
-    strips, kept = Strips(pitch), []
+    strips = Strips(pitch)
+    kept: list[Track] = []
     for track in sorted(tracks, key=lambda track: track.length, reverse=True):
         frames = track.sections.frames
         held = strips.holders(frames.origin, frames.tangent, along=_OVERLAP) != NOBODY
@@ -156,11 +157,3 @@ def _between(leave: Frames, arrive: Frames, distance: float, share: np.ndarray) 
     bend = bend - np.einsum("ni,ni->n", bend, tangent)[:, None] * tangent
     curvature = np.repeat(leave.curvature, len(share), axis=0)
     return frames_from_sides(origin, tangent, sides, bend, curvature)
-
-
-def extended(track: Track, step: float) -> tuple[Frames, Frames]:
-    """Sections one step before the start and one behind the end of a track."""
-    return (
-        reversed_frame(predict(_end_frame(track, 0), step)),
-        predict(_end_frame(track, 1), step),
-    )

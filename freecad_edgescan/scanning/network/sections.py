@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 
@@ -156,7 +157,7 @@ def _replaced(values: np.ndarray, rows: np.ndarray, others: np.ndarray) -> np.nd
 
 
 def _measured_at_once(cloud: PointCloud, frames: Frames, settings: PatchSettings) -> Sections:
-    reach, half_width = settings.reach, settings.half_width
+    reach = settings.reach
     points = _slabs(cloud, frames, settings)
     kept = points[_plausible(frames, points, settings)]
     fits = _fit(frames, kept, settings)
@@ -243,7 +244,7 @@ def _fitted_again(
     kept = inliers[theirs]
     removed, left = (block_counts(own[part], len(rows), settings.reach) for part in (~kept, kept))
     again = _fit(frames[rows], own[kept], settings, removed > 0.25 * (left + removed))
-    arrays = {
+    arrays: dict[str, Any] = {
         each.name: _replaced(getattr(fits, each.name), rows, getattr(again, each.name))
         for each in fields(fits)
         if each.name != "reach"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""From tracks to finished edges: the ends of each are found, and all its sections measured together.
+"""From tracks to finished edges: the ends of each found, all its sections measured together.
 
 A track is led to the vertex ahead of it; where there is none, the walker goes on from its last
 section until the edge ends. Where the walk comes upon another track, the two are one edge.

@@ -74,7 +74,7 @@ def track_of(sections: Sections, chain: Chain) -> Track:
 
 
 def split_at_corners(track: Track) -> list[Track]:
-    """The track, or its parts between the corners that it turns; a corner's sections are left out."""
+    """The track, or its parts between the corners that it turns, without these."""
     count = len(track)
     corners = corners_within(track.sections.frames.origin, track.closed)
     if not len(corners):

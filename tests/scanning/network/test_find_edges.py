@@ -159,11 +159,11 @@ def test_cancelled_half_way_the_edges_so_far_are_kept():
 
 def test_a_region_of_interest_is_all_that_is_searched():
     network = es.find_edges(es.PointCloud(box()), region=((-1, -1, -1), (11, 30, 30)))
-    assert 0 < len(network) and max(edge.points[:, 0].max() for edge in network.edges) < 12.0
+    assert len(network) > 0 and max(edge.points[:, 0].max() for edge in network.edges) < 12.0
 
 
 def test_an_empty_region_is_one_sentence():
-    with pytest.raises(es.ScanError, match="reaches from .* Take a region that overlaps"):
+    with pytest.raises(es.ScanError, match=r"reaches from .* Take a region that overlaps"):
         es.find_edges(es.PointCloud(box()), region=((90, 90, 90), (91, 91, 91)))
 
 
