@@ -23,7 +23,7 @@ _LARGEST_SIGMA, _LEAST_COVER = 0.45, 0.55
 
 
 def confirmed(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> list[Track]:
-    """The long tracks as they are; of the short ones those that are confirmed, with more sections."""
+    """The long tracks, and of the short ones those that are confirmed, with more sections."""
     long = [track for track in tracks if len(track) >= _SHORT or track.closed]
     short = [track for track in tracks if not (len(track) >= _SHORT or track.closed)]
     if not short:
