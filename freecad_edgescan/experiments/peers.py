@@ -108,7 +108,7 @@ def whole_cloud_labels(cloud: PointCloud, edges: Sequence[TrueEdge]) -> Array:
     """
     features = import_module("jakteristics").compute_features
     variation = features(
-        np.ascontiguousarray(cloud.points),
+        np.array(cloud.points),  # it wants to be able to write into them
         search_radius=_VARIATION * cloud.pitch,
         feature_names=["surface_variation"],
         num_threads=2,

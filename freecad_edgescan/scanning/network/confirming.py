@@ -59,8 +59,11 @@ def _laid(track: Track, step: float) -> tuple[Frames, np.ndarray]:
     inside = np.clip(place, 0.0, at[-1])
     origin = np.stack([np.interp(inside, at, frames.origin[:, k]) for k in range(3)], axis=1)
     chord = frames.origin[-1] - frames.origin[0]
-    chord = chord / max(float(np.linalg.norm(chord)), 1e-12)
-    tangent = frames.tangent[nearest] if len(track) > 2 else np.repeat(chord[None], len(place), 0)
+    size = float(np.linalg.norm(chord))
+    if len(track) > 2 or size == 0.0:
+        tangent = frames.tangent[nearest]
+    else:
+        tangent = np.repeat(chord[None] / size, len(place), 0)
     origin = origin + (place - inside)[:, None] * tangent
     return (
         frames_from_sides(

@@ -101,7 +101,7 @@ def _nearest_ends(
     one, other = pairs[:, 0], pairs[:, 1]
     fits, ahead, behind = follow(frames, one, other)
     # Both look out of their tracks: each lies ahead of the other one.
-    fits &= ahead & ~behind
+    fits &= ahead & behind
     distance = np.linalg.norm(frames.origin[one] - frames.origin[other], axis=1)
     for number in np.argsort(distance, kind="stable"):
         if not fits[number]:

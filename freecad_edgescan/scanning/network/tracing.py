@@ -26,7 +26,7 @@ from ..section import Station
 from ..stop import Stop
 from ..trace import Trace, turned
 from ..walker import walk
-from .soundness import sound_stretches
+from .soundness import corners_within, sound_stretches
 from .strips import NOBODY, Strips
 from .tracks import Track
 
@@ -176,6 +176,9 @@ class Tracer:
 
             onward = walk(section, stations[-1], gait, meets, behind=stations[:-1])
             walked = [*stations, *onward.stations]
+            straight = _before_a_corner(walked, len(stations))
+            if len(straight) < len(walked):
+                return straight, Stop.CORNER
             if onward.stop is not Stop.GATE:
                 return walked, onward.stop
             here, there = (station.frame.origin[0] for station in walked[-2:])
@@ -207,9 +210,20 @@ class Tracer:
         gap = np.linalg.norm(ahead[0].frame.origin - last.origin)
         if gap > _BEYOND * self.chosen.settings.cloud_pitch:
             return None
+        joined = [*stations, *ahead]
+        if len(_before_a_corner(joined, len(stations))) < len(joined):
+            return None
         self.open.discard(other)
         self.strips.give_up(other)
-        return [*stations, *ahead]
+        return joined
+
+
+def _before_a_corner(stations: list[Station], known: int) -> list[Station]:
+    """The stations up to the first corner that the walk has turned behind those that were known."""
+    places = np.array([station.frame.origin[0] for station in stations])
+    turned_at = corners_within(places, False)
+    turned_at = turned_at[turned_at >= known - 2]
+    return stations[: int(turned_at[0]) + 1] if len(turned_at) else stations
 
 
 def _onward(last: Station, stations: list[Station]) -> list[Station]:
