@@ -21,6 +21,7 @@ from ..patch_edge import finish_edge
 from ..patch_scan import FEWEST_POINTS, check_edge
 from ..patch_section import PatchSection
 from ..report import describe
+from ..scan_lines import ScanLines
 from ..scanned_edge import ScannedEdge
 from ..section import Station
 from ..stop import Stop
@@ -39,6 +40,7 @@ _AHEAD = 0.7  # share of another track's sections that lie ahead where it is one
 _SURE = 0.4  # pitches, of the median sigma of an edge that is believed without a click
 _AT_HOME = 4  # stations at a track's ends, which a walk may come near to
 _RETURNED = 1.0  # pitches from other stations, at which it has turned back
+_STANDS_OUT, _LEAST_NOISE = 11.0, 0.1  # times the noise, and pitches that it counts for at least
 _MOSTLY = 0.8  # of an edge that evidence carries, where parting it leads nowhere
 _HELD = 0.6  # share of a track's sections that belong to another edge, from which on it is that one
 
@@ -151,6 +153,13 @@ class Tracer:
             raise ScanError("Too few sections of an edge follow each other.")
         if np.pi - np.median(edge.angle) < settings.min_angle:
             raise ScanError("The two sides turn by less than the least angle.")
+        # A kink stands out from the smooth surface that explains it best by a share of its turn
+        # times the length of its sides; in noise, a bent surface looks like a small one.
+        if isinstance(edge.scan_lines, ScanLines):
+            length = float(np.median(edge.scan_lines.fits.ends, axis=0).min())
+            noise = max(settings.noise, _LEAST_NOISE * settings.cloud_pitch)
+            if (np.pi - np.median(edge.angle)) * length < _STANDS_OUT * noise:
+                raise ScanError("The sides are too short to tell the edge from a bent surface.")
         if np.median(edge.sigma) > _SURE * settings.cloud_pitch:
             raise ScanError("The edge is known too badly to tell it from a smooth surface.")
 
