@@ -20,11 +20,22 @@ class EdgeScanWorkbench(FreeCADGui.Workbench):
         self.__class__.Icon = str(folder / "icons" / "EdgeScan_Workbench.svg")
 
     def Initialize(self):
-        from freecad_edgescan.gui import commands
+        from freecad_edgescan.gui import commands, preferences
+        from freecad_edgescan.gui.translation import learn_languages
 
-        names = commands.register()
-        self.appendToolbar("EdgeScan", names)
-        self.appendMenu("EdgeScan", names)
+        learn_languages()
+        commands.register()
+        for title, names in commands.TOOLBARS.items():
+            self.appendToolbar(title, names)
+        self.appendMenu("EdgeScan", commands.menu())
+        preferences.add_page()
+
+    def ContextMenu(self, recipient):
+        from freecad_edgescan.gui.commands import for_selection
+
+        names = for_selection()
+        if names:
+            self.appendContextMenu("EdgeScan", names)
 
     def GetClassName(self):
         return "Gui::PythonWorkbench"

@@ -182,6 +182,18 @@ def _casestudy(options: argparse.Namespace) -> int:
     return exit_code(progress)
 
 
+def _sweep(options: argparse.Namespace) -> int:
+    from freecad_edgescan.sweep_command import sweep_file
+
+    return sweep_file(options)
+
+
+def _surfaces(options: argparse.Namespace) -> int:
+    from freecad_edgescan.surfaces_command import measure_surfaces
+
+    return measure_surfaces()
+
+
 COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "scan": _scan,
     "find": _find,
@@ -192,6 +204,8 @@ COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "doe": _doe,
     "demo": _demo,
     "casestudy": _casestudy,
+    "sweep": _sweep,
+    "surfaces": _surfaces,
 }
 
 if __name__ == "__main__":

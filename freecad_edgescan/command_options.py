@@ -73,6 +73,20 @@ def read_options(words: Sequence[str]) -> argparse.Namespace:
     return options
 
 
+SWEEP_TEXT = """\
+Edges are scanned from one click each, as by scan. Along one rail the profile turns as little as it
+can and keeps its size; the surface is held against the cloud as it is. Along two rails it turns
+and scales with them, and is fitted to the cloud in both models, of which the better one is kept.
+
+examples:
+  edgescan sweep part.ply --rail 0,10,5 --profile 40,8,0 --distance 0.5 --picture deviation.png
+  edgescan sweep pipe.ply --rail 9,0,4 --rail 9,8,4 -o pipe.step -o deviation.csv
+"""
+
+SURFACES_TEXT = """\
+Prints the extension of appendix H and the edge of test 2S1.11 by way of surfaces (appendix I)
+beside the published figures, and how long fits and projections take beside FITPACK and FreeCAD."""
+
 CASESTUDY_TEXT = """\
 The core box of the published case study, from its raster of probe centres to swept surfaces: its
 four rims are scanned and become rails, profiles stand at their ends, base surfaces cut the cloud,
@@ -145,6 +159,40 @@ def _parser() -> argparse.ArgumentParser:
     find.add_argument(
         "--view", type=_vector, metavar="DX,DY,DZ",
         help="direction from the part to the viewer of the picture",
+    )  # fmt: skip
+
+    sweep = _add_command(
+        commands,
+        "sweep",
+        "sweep scanned edges along others, fitted to the cloud",
+        SWEEP_TEXT,
+    )
+    _add_file(sweep)
+    for option, text in (
+        ("rail", "a point near an edge along which is swept; once or twice"),
+        ("profile", "a point near an edge across the rails that is swept; with two rails and none "
+         "sections of the cloud at the rails' ends"),
+    ):  # fmt: skip
+        sweep.add_argument(
+            f"--{option}", type=_vector, action="append", default=[], metavar="X,Y,Z", help=text
+        )
+    sweep.add_argument(
+        "--distance", type=_number, default=3.0, metavar="MM",
+        help="points nearer to the sweep than this belong to it (default: 3)",
+    )  # fmt: skip
+    sweep.add_argument(
+        "--poles", type=_whole_number, nargs=2, default=(14, 7), metavar="N",
+        help="control points of each fitted rail and of each fitted profile (default: 14 7)",
+    )  # fmt: skip
+    _add_probe(sweep)
+    sweep.add_argument(
+        "-o", "--output", type=Path, action="append", default=[], metavar="FILE",
+        help=".step of the surface (needs FreeCAD), .csv of the points' deviations; repeatable",
+    )  # fmt: skip
+    sweep.add_argument("--picture", type=Path, metavar="FILE.png", help="deviations, in colour")
+    sweep.add_argument(
+        "--view", type=_vector, metavar="DX,DY,DZ",
+        help="direction from the part to the viewer of the picture (default: 0,0,1)",
     )  # fmt: skip
 
     recommend = _add_command(
@@ -238,6 +286,10 @@ def _parser() -> argparse.ArgumentParser:
         "-o", "--output", type=Path, default=Path("demo"), metavar="FOLDER",
         help="where the document, STEP, table and pictures go (default: demo)",
     )  # fmt: skip
+
+    _add_command(
+        commands, "surfaces", "published surfaces again, and how fast surfaces are", SURFACES_TEXT
+    )
 
     study = _add_command(
         commands, "casestudy", "fit swept surfaces to the pipes of a core box", CASESTUDY_TEXT

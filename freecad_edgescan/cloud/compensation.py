@@ -17,10 +17,11 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from .air_side import air_signs
-from .local_normals import cloud_quadrics, normals_held, scatter_of
+from .local_normals import AT_ONCE, cloud_quadrics, normals_held, scatter_of
 from .local_quadrics import LocalQuadrics
 from .part_of_cloud import PartOfCloud
 from .point_cloud import FEWEST_POINTS, PointCloud, require_surface
+from .progress import Progress, Stage
 
 __all__ = ["compensate_cloud"]
 
@@ -31,13 +32,16 @@ _INSIDE_SHARE = 0.04  # likewise, of the probe's radius
 _SHARP = 0.7  # of the ball's curvature: where the cloud bends more, the ball rolled over a rim
 
 
-def compensate_cloud(cloud: PointCloud) -> PartOfCloud:
+def compensate_cloud(cloud: PointCloud, progress: Progress | None = None) -> PartOfCloud:
     """The points of the surface that a ball touched, from the ball's centres.
 
     Parameters
     ----------
     cloud : PointCloud
         With a probe radius. Without one its points are on the surface already, and all are kept.
+    progress : object with ``update(fraction, so_far) -> bool``, optional
+        Told the share that is done; when it answers False the points compensated so far are the
+        result, and its message says so.
 
     Returns
     -------
@@ -48,7 +52,7 @@ def compensate_cloud(cloud: PointCloud) -> PartOfCloud:
     Raises
     ------
     ValueError: a cloud that has no surface; no approach, and no rim that tells where the air is; a
-        probe radius that nothing in the cloud agrees with.
+        probe radius that nothing in the cloud agrees with; cancelled before any point was done.
     """
     radius = cloud.probe_radius
     everything = np.ones(len(cloud), dtype=bool)
@@ -59,29 +63,35 @@ def compensate_cloud(cloud: PointCloud) -> PartOfCloud:
     pitch, noise = cloud.pitch, cloud.noise
     if not np.isfinite(pitch):
         require_surface(cloud)
-    quadrics = cloud_quadrics(cloud, _reach(pitch, noise, radius))
+    stages = Stage(progress, 0.0, 0.7), Stage(progress, 0.7, 0.9), Stage(progress, 0.9, 1.0)
+    quadrics = cloud_quadrics(cloud, _reach(pitch, noise, radius), progress=stages[0])
     good = quadrics.smooth(pitch, noise)
     signs = air_signs(quadrics, good, radius, cloud.approach)
-    normals = _normals(cloud, quadrics, good, signs)
+    normals = _normals(cloud, quadrics, good, signs, stages[1])
     kept = np.isfinite(normals[:, 0])
     surface = cloud.points[kept] - radius * normals[kept]
     clear = _outside_the_ball(
-        surface, cloud.tree, radius - max(_INSIDE * noise, _INSIDE_SHARE * radius)
+        surface, cloud.tree, radius - max(_INSIDE * noise, _INSIDE_SHARE * radius), stages[2]
     )
     kept[kept] = clear
+    cancelled = any(stage.cancelled for stage in stages)
+    if cancelled and not kept.any():
+        raise ValueError("Compensation was stopped before any point was done; let it run longer.")
     if not kept.any():
         raise ValueError(
             f"No point of the cloud is left when it is compensated for a ball of {radius:g} mm "
             f"radius: the cloud (pitch {pitch:.3g} mm) is nowhere smooth enough. Check the probe "
             "radius, or scan more densely."
         )
+    others = "are of the probe rolling over a rim, or off the surface"
+    if cancelled:
+        others = "were not looked at, for it was stopped, or " + others
     return PartOfCloud(
         surface[clear],
         kept,
         0.0,
         cloud.approach,
-        f"{np.count_nonzero(kept)} of {len(cloud)} points were compensated; the others are of the "
-        "probe rolling over a rim, or off the surface.",
+        f"{np.count_nonzero(kept)} of {len(cloud)} points were compensated; the others {others}.",
     )
 
 
@@ -97,7 +107,11 @@ def _reach(pitch: float, noise: float, radius: float) -> float:
 
 
 def _normals(
-    cloud: PointCloud, quadrics: LocalQuadrics, good: NDArray[np.bool_], signs: NDArray[np.int8]
+    cloud: PointCloud,
+    quadrics: LocalQuadrics,
+    good: NDArray[np.bool_],
+    signs: NDArray[np.int8],
+    progress: Progress,
 ) -> Array:
     """Unit normals (n, 3) into the air, nan where no quadric holds the point."""
     usable = good & (signs != 0)
@@ -106,12 +120,20 @@ def _normals(
     away = np.where(signs > 0, -low, high)
     usable &= away * cloud.probe_radius < _SHARP
     normals, holders = normals_held(
-        quadrics, usable, cloud.points, scatter_of(cloud.pitch, cloud.noise)
+        quadrics, usable, cloud.points, scatter_of(cloud.pitch, cloud.noise), progress
     )
     return signs[holders, None] * normals
 
 
-def _outside_the_ball(surface: Array, centres: cKDTree, radius: float) -> NDArray[np.bool_]:
+def _outside_the_ball(
+    surface: Array, centres: cKDTree, radius: float, progress: Progress
+) -> NDArray[np.bool_]:
     """Which points no centre is nearer to than a radius."""
-    near, _ = centres.query(surface, distance_upper_bound=radius, workers=-1)
-    return np.isinf(near)
+    clear = np.zeros(len(surface), dtype=bool)
+    for start in range(0, len(surface), AT_ONCE):
+        rows = slice(start, start + AT_ONCE)
+        near, _ = centres.query(surface[rows], distance_upper_bound=radius, workers=-1)
+        clear[rows] = np.isinf(near)
+        if not progress.update(min(start + AT_ONCE, len(surface)) / len(surface), None):
+            break
+    return clear

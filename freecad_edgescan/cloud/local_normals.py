@@ -12,6 +12,7 @@ from scipy.spatial import cKDTree
 
 from .local_quadrics import FLAT, LocalQuadrics, local_quadrics
 from .point_cloud import FEWEST_POINTS, PointCloud
+from .progress import Progress, Stage
 
 __all__ = ["cloud_quadrics", "local_normals", "normals_held", "scatter_of"]
 
@@ -24,23 +25,30 @@ CANDIDATES = 8  # quadrics a point may be held by
 AT_ONCE = 200_000
 
 
-def local_normals(cloud: PointCloud, within: NDArray[np.bool_]) -> Array:
+def local_normals(
+    cloud: PointCloud, within: NDArray[np.bool_], progress: Progress | None = None
+) -> Array:
     """Unit normals (m, 3) of either sign at some points of a cloud; nan where it is not smooth.
 
     Parameters
     ----------
     cloud : PointCloud
     within : (n,) bool, the m points that are asked about
+    progress : told the share that is done; where it answers False, the others' normals are nan
     """
     reach = float(np.sqrt(38.0 * cloud.noise * cloud.pitch))  # for a slope within 0.03 rad
-    quadrics = cloud_quadrics(cloud, reach, within)
+    quadrics = cloud_quadrics(cloud, reach, within, Stage(progress, 0.0, 0.7))
     usable = quadrics.smooth(cloud.pitch, cloud.noise)
     scatter = scatter_of(cloud.pitch, cloud.noise)
-    return normals_held(quadrics, usable, cloud.points[within], scatter)[0]
+    held = Stage(progress, 0.7, 1.0)
+    return normals_held(quadrics, usable, cloud.points[within], scatter, held)[0]
 
 
 def cloud_quadrics(
-    cloud: PointCloud, reach: float, within: NDArray[np.bool_] | None = None
+    cloud: PointCloud,
+    reach: float,
+    within: NDArray[np.bool_] | None = None,
+    progress: Progress | None = None,
 ) -> LocalQuadrics:
     """Quadrics over neighbourhoods of at least a reach, mm, among all points or some (n,) bool.
 
@@ -56,7 +64,7 @@ def cloud_quadrics(
         )
     reach = max(reach, float(np.sqrt(NEIGHBOURS / np.pi)) * pitch)
     neighbours = min(int(np.pi * (reach / pitch) ** 2) + 1, MOST_NEIGHBOURS)
-    return local_quadrics(cloud.tree, reach, neighbours, within)
+    return local_quadrics(cloud.tree, reach, neighbours, within, progress)
 
 
 def scatter_of(pitch: float, noise: float) -> float:
@@ -65,7 +73,11 @@ def scatter_of(pitch: float, noise: float) -> float:
 
 
 def normals_held(
-    quadrics: LocalQuadrics, usable: NDArray[np.bool_], points: Array, scatter: float
+    quadrics: LocalQuadrics,
+    usable: NDArray[np.bool_],
+    points: Array,
+    scatter: float,
+    progress: Progress | None = None,
 ) -> tuple[Array, NDArray[np.intp]]:
     """Normals (n, 3) of the nearest usable quadrics that hold the points, and their rows (n,).
 
@@ -87,4 +99,6 @@ def normals_held(
             open_, near = open_[~held], near[~held]
             if not len(open_):
                 break
+        if progress and not progress.update(min(start + AT_ONCE, len(points)) / len(points), None):
+            break
     return normals, holders

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from .progress import Progress
 from .thinning import spaced_rows
 
 __all__ = ["FLAT", "LocalQuadrics", "local_quadrics"]
@@ -81,7 +82,11 @@ class LocalQuadrics:
 
 
 def local_quadrics(
-    tree: cKDTree, reach: float, neighbours: int, within: NDArray[np.bool_] | None = None
+    tree: cKDTree,
+    reach: float,
+    neighbours: int,
+    within: NDArray[np.bool_] | None = None,
+    progress: Progress | None = None,
 ) -> LocalQuadrics:
     """Quadrics through the points round seeds that are spread over a cloud.
 
@@ -91,15 +96,18 @@ def local_quadrics(
     reach : mm, of a neighbourhood where the cloud is dense
     neighbours : how many points a neighbourhood holds at least; it is wider where they are sparse
     within : (n,) bool, the points among which the seeds are; all of them when not given
+    progress : told the share that is done; where it answers False, those so far are the result
     """
     points = np.asarray(tree.data)
     places = points if within is None else points[within]
     seeds = places[spaced_rows(places, SEED_DISTANCE * reach)]
     count = min(neighbours, len(points))
-    pieces = [
-        _fitted(points, tree, part, count)
-        for part in np.array_split(seeds, max(1, len(seeds) * count // AT_ONCE + 1))
-    ]
+    parts = np.array_split(seeds, max(1, len(seeds) * count // AT_ONCE + 1))
+    pieces: list[tuple[Array, ...]] = []
+    for part in parts:
+        pieces.append(_fitted(points, tree, part, count))
+        if progress and not progress.update(len(pieces) / len(parts), None):
+            break
     return LocalQuadrics(*(np.concatenate(values) for values in zip(*pieces, strict=True)))
 
 

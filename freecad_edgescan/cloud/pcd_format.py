@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .lzf import decompress_lzf
-from .text_rows import Listener, Row, read_rows
+from .progress import Progress
+from .text_rows import Row, read_rows
 
 __all__ = ["looks_like_pcd", "read_pcd"]
 
@@ -47,7 +48,7 @@ def looks_like_pcd(head: bytes) -> bool:
     return b"\nDATA " in head and (b"FIELDS " in head or b"COLUMNS " in head)
 
 
-def read_pcd(path: Path, progress: Listener | None = None) -> Array:
+def read_pcd(path: Path, progress: Progress | None = None) -> Array:
     """Points of a .pcd file, (n, 3), mm.
 
     Raises
@@ -120,7 +121,7 @@ def _check_header(names: list[str], points: int, data: str, name: str) -> None:
         )
 
 
-def _read_ascii(path: Path, header: _Header, progress: Listener | None) -> Array:
+def _read_ascii(path: Path, header: _Header, progress: Progress | None) -> Array:
     columns = list(accumulate(header.counts, initial=0))
     x, y, z = (columns[header.names.index(axis)] for axis in "xyz")
     with path.open(encoding="utf-8", errors="replace") as stream:

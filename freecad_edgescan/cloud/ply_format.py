@@ -15,14 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .ply_header import BYTE_ORDERS, PlyElement, PlyHeader, read_ply_header, split_at_vertices
-from .text_rows import Listener, Row, read_rows
+from .progress import Progress
+from .text_rows import Row, read_rows
 
 __all__ = ["read_ply", "write_ply"]
 
 Array = NDArray[np.float64]
 
 
-def read_ply(path: Path, progress: Listener | None = None) -> Array:
+def read_ply(path: Path, progress: Progress | None = None) -> Array:
     """Vertices of a .ply file, (n, 3), mm.
 
     Raises
@@ -58,7 +59,7 @@ def _read_ascii(
     header: PlyHeader,
     before: list[PlyElement],
     vertex: PlyElement,
-    progress: Listener | None,
+    progress: Progress | None,
 ) -> Array:
     names = [p.name for p in vertex.properties]
     columns = (names.index("x"), names.index("y"), names.index("z"))

@@ -14,13 +14,13 @@ from .pcd_format import looks_like_pcd, read_pcd
 from .ply_format import read_ply
 from .ply_header import PLY_MAGIC
 from .point_cloud import PointCloud
+from .progress import Progress
 from .text_format import looks_like_text_cloud, read_text
-from .text_rows import Listener
 
 __all__ = ["READABLE_ENDINGS", "TEXT_ENDINGS", "UNITS", "read_cloud"]
 
 Array = NDArray[np.float64]
-Reader = Callable[[Path, "Listener | None"], Array]
+Reader = Callable[[Path, "Progress | None"], Array]
 
 TEXT_ENDINGS = (".xyz", ".txt", ".asc", ".csv")
 UNITS = {"mm": 1.0, "m": 1000.0, "inch": 25.4}  # mm
@@ -32,7 +32,7 @@ def read_cloud(
     probe_radius: float = 0.0,
     approach: ArrayLike | None = None,
     region: ArrayLike | None = None,
-    progress: Listener | None = None,
+    progress: Progress | None = None,
     unit: str = "mm",
 ) -> PointCloud:
     """Read a cloud from a .xyz, .txt, .asc, .csv, .ply or .pcd file.

@@ -16,7 +16,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from .text_rows import Listener, Row, holds_data, read_rows
+from .progress import Progress
+from .text_rows import Row, holds_data, read_rows
 
 __all__ = ["looks_like_text_cloud", "read_text"]
 
@@ -43,7 +44,7 @@ class _Layout:
     row: Row
 
 
-def read_text(path: Path, progress: Listener | None = None) -> Array:
+def read_text(path: Path, progress: Progress | None = None) -> Array:
     """Points of a text file, (n, 3), mm.
 
     Raises

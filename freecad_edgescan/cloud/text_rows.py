@@ -9,25 +9,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any, Protocol, TextIO
+from typing import TextIO
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Listener", "Row", "holds_data", "read_rows"]
+from .progress import Progress
+
+__all__ = ["Row", "holds_data", "read_rows"]
 
 Array = NDArray[np.float64]
 
 COMMENT_MARKS = ("#", "//", "%")
 PIECE = 100_000  # lines
-
-
-class Listener(Protocol):
-    """Who is told how far reading has come, and may end it by answering False."""
-
-    def update(self, fraction: float, so_far: Any) -> bool:
-        """Take the fraction done, 0 to 1, and what came last; answer False to stop."""
-        ...
 
 
 @dataclass(frozen=True)
@@ -51,7 +45,7 @@ def read_rows(
     name: str,
     first_line: int = 1,
     rows: int | None = None,
-    progress: Listener | None = None,
+    progress: Progress | None = None,
 ) -> Array:
     """Points from the lines of a stream, (n, 3).
 

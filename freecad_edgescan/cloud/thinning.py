@@ -17,6 +17,7 @@ from scipy.spatial import cKDTree
 
 from .part_of_cloud import PartOfCloud
 from .point_cloud import PointCloud
+from .progress import Progress, Stage
 
 __all__ = ["spaced_rows", "thin_cloud"]
 
@@ -26,7 +27,7 @@ _DISTANCE = 0.82  # of the pitch: discs so thrown until none fits in cover 0.547
 _CUBE = 0.4  # of the distance
 
 
-def thin_cloud(cloud: PointCloud, pitch: float) -> PartOfCloud:
+def thin_cloud(cloud: PointCloud, pitch: float, progress: Progress | None = None) -> PartOfCloud:
     """Some of a cloud's points, evenly spread over its surface.
 
     Parameters
@@ -34,6 +35,9 @@ def thin_cloud(cloud: PointCloud, pitch: float) -> PartOfCloud:
     cloud : PointCloud
     pitch : float
         1 / √(points per mm²) of what remains, mm, where the cloud is denser than that.
+    progress : object with ``update(fraction, so_far) -> bool``, optional
+        Told the share that is done; when it answers False the points taken so far are the result:
+        none of them are too near, but holes are left, and the message says so.
 
     Returns
     -------
@@ -48,25 +52,33 @@ def thin_cloud(cloud: PointCloud, pitch: float) -> PartOfCloud:
     if not 0.0 < pitch < np.inf:
         raise ValueError(f"The pitch is {pitch} mm; give the positive pitch to thin the cloud to.")
     kept = np.zeros(len(cloud), dtype=bool)
-    kept[spaced_rows(cloud.points, _DISTANCE * pitch)] = True
+    told = Stage(progress, 0.0, 1.0)
+    kept[spaced_rows(cloud.points, _DISTANCE * pitch, told)] = True
+    said = " It was stopped: holes are left." if told.cancelled else ""
     return PartOfCloud(
         cloud.points[kept],
         kept,
         cloud.probe_radius,
         cloud.approach,
-        f"{np.count_nonzero(kept)} of {len(cloud)} points were kept.",
+        f"{np.count_nonzero(kept)} of {len(cloud)} points were kept.{said}",
     )
 
 
-def spaced_rows(points: Array, distance: float) -> NDArray[np.intp]:
-    """Rows of points (n, 3) of which no two are nearer than a distance, mm, and none is missing."""
+def spaced_rows(
+    points: Array, distance: float, progress: Progress | None = None
+) -> NDArray[np.intp]:
+    """Rows of points (n, 3) of which no two are nearer than a distance, mm, and none is missing.
+
+    Where progress answers False some are missing.
+    """
+    first = Stage(progress, 0.0, 0.5)
     rows = _one_of_each_cube(points, _CUBE * distance)
     x = points[rows] - points[rows[0]]
-    chosen = _spaced(x, distance)
+    chosen = _spaced(x, distance, first)
     # what the cubes left out may still be too far from all that were taken
     spare = np.ones(len(points), dtype=bool)
     spare[rows] = False
-    while True:
+    while not first.cancelled:
         taken = rows[chosen]
         left = np.flatnonzero(spare)
         if not len(left):
@@ -78,9 +90,13 @@ def spaced_rows(points: Array, distance: float) -> NDArray[np.intp]:
         spare[lonely] = True
         if not len(lonely):
             break
-        added = lonely[_spaced(points[lonely] - points[lonely[0]], distance)]
+        added = lonely[
+            _spaced(points[lonely] - points[lonely[0]], distance, Stage(progress, 0.5, 1.0))
+        ]
         rows, chosen = np.concatenate([taken, added]), np.ones(len(taken) + len(added), dtype=bool)
         spare[added] = False
+        if progress and not progress.update(np.nan, None):
+            break
     return np.sort(rows[chosen])
 
 
@@ -100,8 +116,11 @@ def _one_of_each_cube(points: Array, side: float) -> NDArray[np.intp]:
     return np.sort(order[first])
 
 
-def _spaced(x: Array, distance: float) -> NDArray[np.bool_]:
-    """Which points are taken when each one in turn is, unless one before is too near."""
+def _spaced(x: Array, distance: float, progress: Progress) -> NDArray[np.bool_]:
+    """Which points are taken when each one in turn is, unless one before is too near.
+
+    Where progress answers False, only those that are sure by then.
+    """
     count = len(x)
     rank = np.random.default_rng(0).permutation(count)
     one, other = _near_pairs(x, distance)
@@ -119,6 +138,9 @@ def _spaced(x: Array, distance: float) -> NDArray[np.bool_]:
         open_ &= ~(taken | gone)
         still = open_[one] & open_[other]
         one, other = one[still], other[still]
+        if not progress.update(1.0 - float(open_.mean()), None):
+            open_[one] = open_[other] = False
+            break
     return taken | open_
 
 

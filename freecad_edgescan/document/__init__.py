@@ -19,10 +19,13 @@ if TYPE_CHECKING:
     from .cloud_object import make_cloud as make_cloud
     from .cloud_section import make_cloud_section as make_cloud_section
     from .cloud_segment import make_cloud_segment as make_cloud_segment
+    from .compensated_cloud import make_compensated_cloud as make_compensated_cloud
     from .demo import make_demo as make_demo
     from .deviation_from_shape import shape_deviation as shape_deviation
     from .deviation_from_shape import write_deviations as write_deviations
     from .deviation_map import make_deviation_map as make_deviation_map
+    from .deviation_map import save_deviation_map as save_deviation_map
+    from .edge_export import export_csv as export_csv
     from .edge_network import make_edge_network as make_edge_network
     from .export import export_step as export_step
     from .extended_surface import make_extended_surface as make_extended_surface
@@ -30,40 +33,55 @@ if TYPE_CHECKING:
     from .native_edge import edge_shape as edge_shape
     from .network_shape import network_shape as network_shape
     from .network_shape import network_wires as network_wires
+    from .report_page import write_report as write_report
+    from .scanned_boundary import make_scanned_boundary as make_scanned_boundary
     from .scanned_edge import make_scanned_edge as make_scanned_edge
     from .sharp_edges import true_edges as true_edges
+    from .simulated_cloud_object import make_core_box as make_core_box
+    from .simulated_cloud_object import make_simulated_cloud as make_simulated_cloud
     from .simulated_shape import simulate_cloud as simulate_cloud
     from .surface_intersection import make_surface_intersection as make_surface_intersection
     from .sweeps import make_loft as make_loft
     from .sweeps import make_sweep as make_sweep
     from .swept_surface import make_swept_surface as make_swept_surface
+    from .thinned_cloud import make_thinned_cloud as make_thinned_cloud
+    from .trimmed_shell import make_trimmed_shell as make_trimmed_shell
 
 _HOME_OF = {
     "edge_shape": "native_edge",
+    "export_csv": "edge_export",
     "export_step": "export",
     "make_arc_profile": "arc_profile",
     "make_casestudy": "casestudy",
     "make_cloud": "cloud_object",
-    "make_edge_network": "edge_network",
-    "network_shape": "network_shape",
-    "network_wires": "network_shape",
+    "make_compensated_cloud": "compensated_cloud",
+    "make_core_box": "simulated_cloud_object",
     "make_demo": "demo",
+    "make_edge_network": "edge_network",
     "make_cloud_segment": "cloud_segment",
     "make_fitted_surface": "fitted_surface",
     "make_extended_surface": "extended_surface",
     "make_surface_intersection": "surface_intersection",
     "make_deviation_map": "deviation_map",
+    "save_deviation_map": "deviation_map",
     "shape_deviation": "deviation_from_shape",
     "write_deviations": "deviation_from_shape",
     "make_cloud_section": "cloud_section",
     "make_loft": "sweeps",
+    "make_scanned_boundary": "scanned_boundary",
     "make_scanned_edge": "scanned_edge",
+    "make_simulated_cloud": "simulated_cloud_object",
     "make_sweep": "sweeps",
     "make_swept_surface": "swept_surface",
+    "make_thinned_cloud": "thinned_cloud",
+    "make_trimmed_shell": "trimmed_shell",
+    "network_shape": "network_shape",
+    "network_wires": "network_shape",
     "point_cloud": "cloud_cache",
     "points_of": "bridge",
     "simulate_cloud": "simulated_shape",
     "true_edges": "sharp_edges",
+    "write_report": "report_page",
 }
 
 __all__ = [*_HOME_OF]

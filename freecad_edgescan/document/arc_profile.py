@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from ..cloud import PointCloud
 from ..geometry import Circle, fit_circle
+from ..geometry.place_text import place_text
 from .cloud_cache import point_cloud
 
 __all__ = ["ArcProfile", "fit_arc_profile", "make_arc_profile"]
@@ -124,7 +125,7 @@ def fit_arc_profile(
     if len(walls) < _FEWEST:
         raise ValueError(
             f"Only {len(walls)} cloud points lie between the rails within {slab / 2.0:.3g} mm of "
-            f"the plane at ({_text(first)}); give a larger thickness, or "
+            f"the plane at ({place_text(first)}); give a larger thickness, or "
             "another place."
         )
     fit = fit_circle(np.column_stack([walls, np.zeros(len(walls))]))
@@ -171,14 +172,11 @@ def _crossing(rail: Any, point: Array, along: Array) -> Array:
     before = np.flatnonzero(height[:-1] * height[1:] <= 0.0)
     if not len(before):
         raise ValueError(
-            f"The plane across the first rail at ({_text(point)}) does not meet the second rail; "
+            f"The plane across the first rail at ({place_text(point)}) does not meet the "
+            "second rail; "
             "choose a place where both run side by side."
         )
     step = height[before + 1] - height[before]
     fraction = -height[before] / np.where(step != 0.0, step, 1.0)
     crossings = places[before] + fraction[:, None] * (places[before + 1] - places[before])
     return np.asarray(crossings[np.argmin(np.linalg.norm(crossings - point, axis=1))])
-
-
-def _text(point: Array) -> str:
-    return ", ".join(f"{value:.4g}" for value in point)

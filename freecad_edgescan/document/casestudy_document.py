@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from ..cloud import CoreBox
@@ -11,11 +12,12 @@ from ..scanning import Gate, Start
 from ..surfacing import SweepModel
 from .appearance import Look
 from .cloud_cache import point_cloud
-from .cloud_segment import make_cloud_segment, write_segment
+from .cloud_section import make_cloud_section
+from .cloud_segment import make_cloud_segment
+from .computed_object import write_computed
 from .deviation_map import make_deviation_map
-from .native_curve import curve_shape
 from .scanned_edge import make_scanned_edge, write_result
-from .swept_surface import make_swept_surface, write_sweep
+from .swept_surface import make_swept_surface
 
 __all__ = ["casestudy_looks", "fill_document"]
 
@@ -28,9 +30,10 @@ _EDGE = Look(
 )
 _CLOUD = Look(colour=(0.75, 0.78, 0.80), transparency=80)
 _SEGMENT = Look(colour=(0.0, 0.45, 0.70), visible=False, view=_VIEW)
-_PROFILE = Look(colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), line_width=2.0)
-# Rails as scanned need not end opposite each other; the study's are cut to their common length.
-_LARGEST_GAP = 5.0  # mm
+_MAP = replace(
+    _SEGMENT, view=("freecad_edgescan.gui.deviation_map_view", "ViewProviderDeviationMap")
+)
+_PROFILE = Look(colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), line_width=2.0, view=_VIEW)
 _SURFACES = {
     "Base": Look(colour=(0.8, 0.8, 0.8), line_colour=(0.4, 0.4, 0.4), visible=False, view=_VIEW),
     "Rotate": Look(colour=(0.34, 0.71, 0.91), line_colour=(0.0, 0.2, 0.4), view=_VIEW),
@@ -70,15 +73,16 @@ def fill_document(doc: Any, cloud: Any, box: CoreBox, study: CaseStudy) -> list[
 
 def _make_surfaces(doc: Any, cloud: Any, rails: list[Any], pipe: CaseStudyPipe) -> list[Any]:
     profiles = []
-    for end, curve in enumerate(pipe.profiles, 1):
-        profile = doc.addObject("Part::Feature", f"Pipe{pipe.number}Profile{end}")
-        profile.Shape = curve_shape(curve)
+    for end, section in enumerate(pipe.sections):
+        name = f"Pipe{pipe.number}Profile{end + 1}"
+        profile = make_cloud_section(doc, cloud, rails[0], float(end), rails[1], name=name)
+        write_computed(profile, section)
         profiles.append(profile)
     base = make_swept_surface(doc, rails, profiles, model="rotate", name=f"Pipe{pipe.number}Base")
-    base.Tolerance, base.LargestGap = 1e-2, _LARGEST_GAP
-    write_sweep(base, pipe.base(SweepModel.ROTATE))
+    base.Tolerance = 1e-2
+    write_computed(base, pipe.base(SweepModel.ROTATE))
     segment = make_cloud_segment(doc, cloud, base, name=f"Pipe{pipe.number}Points")
-    write_segment(segment, pipe.points)
+    write_computed(segment, pipe.points)
     made = []
     for model in SweepModel:
         whole = [own for own in pipe.fits if own.model == model and not own.thinned]
@@ -93,8 +97,7 @@ def _make_surfaces(doc: Any, cloud: Any, rails: list[Any], pipe: CaseStudyPipe) 
             whole[-1].grid,
             name=f"Pipe{pipe.number}{model.value.title()}",
         )
-        surface.LargestGap = _LARGEST_GAP
-        write_sweep(surface, whole[-1].fit)
+        write_computed(surface, whole[-1].fit)
         if model is SweepModel.ROTATE:
             made.append(surface)
             make_deviation_map(doc, segment, surface, name=f"Pipe{pipe.number}Deviations")
@@ -112,7 +115,7 @@ def casestudy_looks(doc: Any) -> dict[str, Look]:
             looks[obj.Name] = {
                 "ScannedEdgeProxy": _EDGE,
                 "CloudSegmentProxy": _SEGMENT,
-                "DeviationMapProxy": _SEGMENT,
+                "DeviationMapProxy": _MAP,
                 "Points::Feature": _CLOUD,
             }.get(kind, _PROFILE)
     return looks

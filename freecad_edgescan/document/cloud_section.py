@@ -15,15 +15,17 @@ import Part
 
 from ..cloud import PointCloud, compensate_cloud
 from ..geometry import BSplineCurve, Circle
+from ..geometry.place_text import place_text
+from ..scanning import Progress
 from ..surfacing import CrossSection, cross_section
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, result
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_curve import curve_shape, vector
 
-__all__ = ["CloudSectionProxy", "make_cloud_section", "section_again"]
+__all__ = ["CloudSectionProxy", "make_cloud_section"]
 
 AUTOMATIC = "automatic"
 KINDS = (AUTOMATIC, "line", "arc", "spline")
@@ -114,9 +116,27 @@ class CloudSectionProxy(ComputedProxy):
         yield None if obj.Towards is None else linked_curve(obj.Towards, "rail")
         yield from (obj.Share, obj.Kind, obj.Reach.Value, obj.Thickness.Value)
 
-    def compute(self, obj: Any) -> None:
-        """Cut the cloud and fit the profile."""
-        section = section_again(obj)
+    def task(self, obj: Any) -> Task:
+        """What cuts the cloud and fits the profile."""
+        cloud = point_cloud(obj.Cloud)
+        rail = linked_curve(obj.Rail, "rail")
+        towards = None if obj.Towards is None else linked_curve(obj.Towards, "rail")
+        share, reach, thickness = float(obj.Share), obj.Reach.Value, obj.Thickness.Value
+        kind = None if obj.Kind == AUTOMATIC else obj.Kind
+        if not 0.0 <= share <= 1.0:
+            raise ValueError(f"The share of the rail is {share:g}; give a number from 0 to 1.")
+
+        def cut(progress: Progress | None) -> CrossSection:
+            points = _surface_points(cloud, rail, towards, share, reach, progress)
+            return cross_section(
+                points, rail, share, towards, reach or None, thickness or None, kind
+            )
+
+        return cut
+
+    def write(self, obj: Any, result: CrossSection) -> None:
+        """Write the profile."""
+        section = result
         shape = _edge(section)
         shape.Placement = obj.Placement.multiply(shape.Placement)
         obj.Shape = shape
@@ -129,31 +149,13 @@ class CloudSectionProxy(ComputedProxy):
         obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
 
 
-def section_again(obj: Any) -> CrossSection:
-    """Cut with an object's present inputs; the object stays as it is.
-
-    Raises
-    ------
-    ValueError: there is no profile; the text says why.
-    """
-    rail = linked_curve(obj.Rail, "rail")
-    towards = None if obj.Towards is None else linked_curve(obj.Towards, "rail")
-    share = float(obj.Share)
-    if not 0.0 <= share <= 1.0:
-        raise ValueError(f"The share of the rail is {share:g}; give a number from 0 to 1.")
-    return cross_section(
-        _surface_points(point_cloud(obj.Cloud), rail, towards, share, obj.Reach.Value),
-        rail,
-        share,
-        towards,
-        obj.Reach.Value or None,
-        obj.Thickness.Value or None,
-        None if obj.Kind == AUTOMATIC else obj.Kind,
-    )
-
-
 def _surface_points(
-    cloud: PointCloud, rail: BSplineCurve, towards: BSplineCurve | None, share: float, reach: float
+    cloud: PointCloud,
+    rail: BSplineCurve,
+    towards: BSplineCurve | None,
+    share: float,
+    reach: float,
+    progress: Progress | None,
 ) -> PointCloud:
     """The points of the part near the section; of centres of a probe only those are compensated."""
     if cloud.probe_radius == 0.0:
@@ -164,9 +166,10 @@ def _surface_points(
     radius = max(reach, width, _PITCHES * cloud.pitch) + _ROOM * cloud.pitch
     rows = cloud.tree.query_ball_point(place[0], radius + 2.0 * cloud.probe_radius)
     if not len(rows):
-        where = ", ".join(f"{x:.4g}" for x in place[0])
+        where = place_text(place[0])
         raise ValueError(f"The cloud has no point near ({where}); choose another place.")
-    return compensate_cloud(PointCloud(cloud.points[rows], cloud.probe_radius, cloud.approach))
+    near = PointCloud(cloud.points[rows], cloud.probe_radius, cloud.approach)
+    return compensate_cloud(near, progress)
 
 
 def _edge(section: CrossSection) -> Any:

@@ -9,16 +9,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
-
-from .bridge import kernel_from_array, origin_of
+from .bridge import origin_of
 from .cloud_cache import cloud_checksum
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed, result
+from .computed_cloud import ComputedCloudProxy, write_points
+from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .points_near_base import points_near_base
 
-__all__ = ["CloudSegmentProxy", "make_cloud_segment", "write_segment"]
+__all__ = ["CloudSegmentProxy", "make_cloud_segment"]
 
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Segment", "The cloud of which this is a part"),
@@ -63,14 +62,10 @@ def make_cloud_segment(
     return obj
 
 
-class CloudSegmentProxy(ComputedProxy):
+class CloudSegmentProxy(ComputedCloudProxy):
     """What makes the object cut its cloud."""
 
     PROPERTIES = _PROPERTIES
-
-    def is_empty(self, obj: Any) -> bool:
-        """Whether it has no points."""
-        return int(obj.Points.CountPoints) == 0
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, base surface and distance."""
@@ -78,18 +73,12 @@ class CloudSegmentProxy(ComputedProxy):
         yield "" if obj.Cloud is None else cloud_checksum(obj.Cloud)
         yield obj.Distance.Value
 
-    def compute(self, obj: Any) -> None:
-        """Find the points."""
+    def task(self, obj: Any) -> Task:
+        """What finds the points (n, 3), document coordinates."""
         base = linked_surface(obj.Base, "base surface")
-        write_segment(obj, points_near_base(obj.Cloud, base, obj.Distance.Value))
+        near = points_near_base(obj.Cloud, obj.Distance.Value)
+        return lambda progress: near(base, progress)
 
-
-def write_segment(obj: Any, points: Any) -> None:
-    """Write points (n, 3), document coordinates, that were found with the present inputs."""
-    placement = obj.Placement
-    obj.Points = kernel_from_array(points)
-    obj.Placement = placement
-    obj.PointCount = len(points)
-    obj.Message = ""
-    obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
-    mark_as_computed(obj)
+    def write(self, obj: Any, result: Any) -> None:
+        """Write the points."""
+        write_points(obj, result, "", origin_of(obj.Cloud))

@@ -3,21 +3,28 @@
 
 A file keeps shapes with some digits less than memory does. So inputs are compared as far as a
 millionth of a mm: an object that was read from a file has nothing to compute.
+
+Computing has three steps: inputs are read from the document, the result is computed from plain
+data, and written into the document. The middle one may run beside the window.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, ClassVar
 
 import numpy as np
 
 from ..geometry import BSplineCurve, BSplineSurface
+from ..scanning import Progress
 from .declared_properties import Declared, Role, declare
 from .refusal import RefusalError
 
-__all__ = ["MESSAGE", "ORIGIN", "ComputedProxy", "mark_as_computed", "result"]
+__all__ = ["MESSAGE", "ORIGIN", "ComputedProxy", "Task", "result", "write_computed"]
+
+Task = Callable[[Progress | None], Any]
+"""Computes a result from plain data; where progress answers False, the result so far."""
 
 _SCHEMA_VERSION = 1
 _DECIMALS = 6
@@ -47,10 +54,12 @@ class ComputedProxy:
     """What makes such an object compute. It keeps no state: everything lives in properties.
 
     A kind of object says which properties it has besides ``InputHash``, what its result depends
-    on, and how to compute and write it. One of its properties is ``Message``.
+    on, what computes it, and how it is written. One of its properties is ``Message``.
     """
 
     PROPERTIES: ClassVar[tuple[Declared, ...]] = ()
+    PLAIN: ClassVar[bool] = True
+    """Whether the task needs nothing of FreeCAD's, and may run in another thread."""
 
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self
@@ -66,13 +75,18 @@ class ComputedProxy:
         """
         raise NotImplementedError
 
-    def compute(self, obj: Any) -> None:
-        """Compute with the present inputs, and write the result.
+    def task(self, obj: Any) -> Task:
+        """Read the present inputs, and answer what computes the result from them.
 
         Raises
         ------
-        ValueError: it cannot be computed; the text says why.
+        ValueError: an input is missing or cannot be used. The task raises it where the result
+            cannot be computed; the text says why.
         """
+        raise NotImplementedError
+
+    def write(self, obj: Any, result: Any) -> None:
+        """Write what the task has computed."""
         raise NotImplementedError
 
     def is_empty(self, obj: Any) -> bool:
@@ -87,9 +101,9 @@ class ComputedProxy:
 
     def _compute_if_changed(self, obj: Any) -> str | None:
         try:
-            if self.is_empty(obj) or obj.InputHash != _hash(self.depends_on(obj)):
-                self.compute(obj)
-                mark_as_computed(obj)
+            inputs = _hash(self.depends_on(obj))  # refuses what is missing
+            if self.is_empty(obj) or obj.InputHash != inputs:
+                write_computed(obj, self.task(obj)(None))
         except ValueError as error:
             obj.InputHash = ""
             obj.Message = str(error)
@@ -114,8 +128,9 @@ class ComputedProxy:
     __setstate__ = loads
 
 
-def mark_as_computed(obj: Any) -> None:
-    """Say that an object's result belongs to its present inputs: it is not computed again."""
+def write_computed(obj: Any, result: Any) -> None:
+    """Write a result that belongs to an object's present inputs: it is not computed again."""
+    obj.Proxy.write(obj, result)
     obj.InputHash = _hash(obj.Proxy.depends_on(obj))
 
 

@@ -3,7 +3,8 @@
 
 1. the core-box cloud, as the published case study scanned its part;
 2. its rims, each from a start to a gate;
-3. per pipe arc profiles from end to end, a sweep of the first and a loft through all;
+3. per pipe arc profiles from end to end, a sweep of the first and a loft through all, and a sweep
+   along both rims, fitted to the cloud;
 4. a document, a STEP file, a table of edge points, and pictures.
 """
 
@@ -39,7 +40,17 @@ EDGE_LOOK = Look(
     view=("freecad_edgescan.gui.scanned_edge_view", "ViewProviderScannedEdge"),
 )
 PROFILE_LOOK = Look(colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), line_width=1.0)
-LOFT_LOOK = Look(colour=(0.34, 0.71, 0.91), line_colour=(0.0, 0.2, 0.4))
+LOFT_LOOK = Look(colour=(0.34, 0.71, 0.91), line_colour=(0.0, 0.2, 0.4), visible=False)
+COMPUTED_VIEW = ("freecad_edgescan.gui.computed_view", "ViewProviderComputed")
+FITTED_LOOK = Look(colour=(0.34, 0.71, 0.91), line_colour=(0.0, 0.2, 0.4), view=COMPUTED_VIEW)
+COMPUTED_LOOK = Look(
+    colour=(0.1, 0.1, 0.1), line_colour=(0.1, 0.1, 0.1), visible=False, view=COMPUTED_VIEW
+)
+MAP_LOOK = Look(
+    colour=(0.1, 0.1, 0.1),
+    visible=False,
+    view=("freecad_edgescan.gui.deviation_map_view", "ViewProviderDeviationMap"),
+)
 SWEEP_LOOK = Look(
     colour=(0.0, 0.62, 0.45),
     line_colour=(0.0, 0.2, 0.1),
@@ -101,7 +112,7 @@ def make_demo(
         rows, rails = _scan_rims(
             doc, cloud, box, ScanParameters(amplitude=amplitude), places, steps
         )
-        steps.begin("sweeping and lofting")
+        steps.begin("sweeping, lofting and fitting")
         surfaces, notes = _make_pipes(doc, cloud, box, rails, profiles)
         notes += _write(target, doc, numbers, rows)
     finally:
@@ -191,19 +202,25 @@ def _write(target: Path, doc: Any, numbers: Any, rows: list[DemoEdge]) -> list[s
 
 
 def _looks(doc: Any) -> dict[str, Look]:
-    """Edges and lofts shine through the probe centres above them; the sweeps are hidden."""
+    """Edges and fitted sweeps shine through the probe centres; what leads to them is hidden."""
     look_of = {
         "Points::Feature": CLOUD_LOOK,
         "ScannedEdgeProxy": EDGE_LOOK,
         "Part::Feature": PROFILE_LOOK,
         "SweepProxy": SWEEP_LOOK,
+        "SweptSurfaceProxy": FITTED_LOOK,
+        "CloudSectionProxy": COMPUTED_LOOK,
+        "CloudSegmentProxy": COMPUTED_LOOK,
+        "DeviationMapProxy": MAP_LOOK,
         "Part::Loft": LOFT_LOOK,
     }
     kinds = {
         obj.Name: type(obj.Proxy).__name__ if hasattr(obj, "Proxy") else obj.TypeId
         for obj in doc.Objects
     }
-    return {name: look_of[kind] for name, kind in kinds.items() if kind in look_of}
+    looks = {name: look_of[kind] for name, kind in kinds.items() if kind in look_of}
+    bases = {name: COMPUTED_LOOK for name in looks if name.endswith("Base")}
+    return {**looks, **bases}
 
 
 def _write_csv(rows: list[DemoEdge], path: Path) -> None:
@@ -241,6 +258,12 @@ def _surface_table(surfaces: list[DemoSurface]) -> str:
             line += f"  {surface.deviation.mean():8.4f}  {surface.deviation.max():8.4f}"
         lines.append(line)
     lines.append("A sweep moves one profile: it cannot follow the pipes, which narrow.")
+    lines += [
+        f"{surface.name}: the cloud's points are {surface.from_cloud[0]:.4f} mm from it on "
+        f"average, {surface.from_cloud[1]:.4f} mm at most."
+        for surface in surfaces
+        if surface.from_cloud is not None
+    ]
     return "\n".join(lines)
 
 

@@ -7,22 +7,33 @@ The name of this module and of `DeviationMapProxy` are written into users' files
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
 from typing import Any
 
-import FreeCAD
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import compensate_cloud
-from .bridge import kernel_from_array, origin_of
+from ..cloud.progress import Stage
+from ..experiments.deviation_picture import draw_deviations
+from ..scanning import Progress
+from ..surfacing import Deviation
+from .bridge import origin_of, points_of
 from .cloud_cache import cloud_checksum, point_cloud
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, result
+from .computed_cloud import ComputedCloudProxy, write_points
+from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared, Role
-from .deviation_from_shape import shape_deviation
-from .linked_geometry import require_cloud, require_shape
-from .native_surface import surface_of
+from .deviation_from_shape import MeasurableShape, write_deviations
+from .linked_geometry import require_cloud, require_shape, shape_inputs
 
-__all__ = ["DeviationMapProxy", "deviation_colours", "make_deviation_map"]
+__all__ = [
+    "DeviationMapProxy",
+    "deviation_colours",
+    "make_deviation_map",
+    "save_deviation_map",
+]
 
 _BINS = 61
 _FULL = 99.5  # percent of the absolute deviations that the colours tell apart
@@ -102,54 +113,98 @@ def make_deviation_map(
     return obj
 
 
-class DeviationMapProxy(ComputedProxy):
+class DeviationMapProxy(ComputedCloudProxy):
     """What makes the object measure."""
 
     PROPERTIES = _PROPERTIES
-
-    def is_empty(self, obj: Any) -> bool:
-        """Whether it has no points."""
-        return int(obj.Points.CountPoints) == 0
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, all faces of the surface, reach and limit."""
         if obj.Cloud is None or obj.Surface is None:
             raise ValueError("A cloud or surface is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
-        shape = obj.Surface.Shape
-        for face in [] if shape.isNull() else shape.Faces:
-            yield surface_of(face)
-            yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
+        yield from shape_inputs(obj.Surface.Shape)
         yield from (obj.Reach.Value, obj.Limit.Value)
 
-    def compute(self, obj: Any) -> None:
-        """Measure."""
-        cloud = point_cloud(obj.Cloud)
-        points = (compensate_cloud(cloud) if cloud.probe_radius > 0.0 else cloud).points
-        found = shape_deviation(points, obj.Surface.Shape)
-        kept = ~found.outside
-        if obj.Reach.Value > 0.0:
-            kept &= np.abs(found.deviation) <= obj.Reach.Value
-        if not kept.any():
-            raise ValueError(
-                f"No point of the cloud {obj.Cloud.Label!r} lies within {obj.Reach.Value:g} mm of "
-                f"{obj.Surface.Label!r}; choose another one, or a larger reach."
-            )
-        values = found.deviation[kept]
+    def task(self, obj: Any) -> Task:
+        """What measures the points: those within reach, and their deviations."""
+        cloud, shape = point_cloud(obj.Cloud), MeasurableShape(obj.Surface.Shape)
+        reach = obj.Reach.Value or np.inf
+        labels = obj.Cloud.Label, obj.Surface.Label
+
+        def measure(progress: Progress | None) -> Measured:
+            points = cloud.points
+            if cloud.probe_radius > 0.0:
+                points = compensate_cloud(cloud, progress and Stage(progress, 0.0, 0.5)).points
+            found = shape.deviation(points, progress and Stage(progress, 0.5, 1.0))
+            kept = ~found.outside & (np.abs(found.deviation) <= reach)
+            if not kept.any():
+                raise ValueError(
+                    f"No point of the cloud {labels[0]!r} lies within {reach:g} mm of "
+                    f"{labels[1]!r}; choose another one, or a larger reach."
+                )
+            measured = points[: len(kept)][kept]
+            return Measured(measured, found.deviation[kept], len(points) - len(measured))
+
+        return measure
+
+    def write(self, obj: Any, result: Measured) -> None:
+        """Write points, colours and figures."""
+        values = result.deviation
         limit = obj.Limit.Value or float(np.percentile(np.abs(values), _FULL)) or 1e-3
-        placement = obj.Placement
-        obj.Points = kernel_from_array(points[kept])
-        obj.Placement = placement
-        obj.Color = [tuple(row) for row in deviation_colours(values, limit).tolist()]
+        left = result.left_out
+        message = f"{left} points beyond the rim or the reach were left out." if left else ""
+        write_points(obj, result.points, message, origin_of(obj.Cloud))
         obj.Deviations = values.tolist()
         counts, _ = np.histogram(np.clip(values, -limit, limit), _BINS, (-limit, limit))
         obj.Histogram = counts.tolist()
         obj.Average, obj.Maximum = float(np.abs(values).mean()), float(np.abs(values).max())
         obj.RootMeanSquare = float(np.sqrt(np.mean(values**2)))
-        obj.Mean, obj.LimitUsed, obj.PointCount = float(values.mean()), limit, len(values)
-        left = len(points) - len(values)
-        obj.Message = f"{left} points beyond the rim or the reach were left out." if left else ""
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+        obj.Mean, obj.LimitUsed = float(values.mean()), limit
+        obj.Color = [tuple(row) for row in deviation_colours(values, limit).tolist()]
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """Points (n, 3), their deviations (n,), mm, and how many points were left out."""
+
+    points: NDArray[np.float64]
+    deviation: NDArray[np.float64]
+    left_out: int
+
+
+def save_deviation_map(
+    obj: Any, path: str | PathLike[str], view: ArrayLike = (0.0, 0.0, 1.0)
+) -> None:
+    """Write a map's deviations as a table (.csv), or as a picture with histogram.
+
+    Parameters
+    ----------
+    obj : a deviation map that was measured
+    path : of the file; .csv, or .png, .svg or .pdf
+    view : (3,) direction from the part towards the viewer of the picture
+
+    Raises
+    ------
+    ValueError: no deviation map, nothing measured yet, or no such kind of file.
+    """
+    if type(getattr(obj, "Proxy", None)).__name__ != "DeviationMapProxy":
+        raise ValueError(f"{getattr(obj, 'Label', obj)!r} is no deviation map; choose one.")
+    values = np.array(obj.Deviations)
+    if not len(values):
+        raise ValueError(f"{obj.Label!r} holds no deviations yet; recompute the document first.")
+    points, file = points_of(obj), Path(path)
+    if file.suffix.lower() == ".csv":
+        nowhere = np.zeros(len(values))
+        inside = np.zeros(len(values), dtype=bool)
+        write_deviations(points, Deviation(values, inside, (nowhere, nowhere)), file)
+    elif file.suffix.lower() in (".png", ".svg", ".pdf"):
+        panels = {str(obj.Label): (points, values)}
+        draw_deviations(panels, file, view, obj.LimitUsed.Value)
+    else:
+        raise ValueError(
+            f"{file.name} is neither a table nor a picture; write a .csv, .png, .svg or .pdf file."
+        )
 
 
 def deviation_colours(deviation: ArrayLike, limit: float) -> NDArray[np.float64]:

@@ -11,9 +11,10 @@ from typing import Any
 
 import FreeCAD
 
+from ..geometry import BSplineSurface
 from ..surfacing import Side, extend_surface
 from .bridge import origin_of
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
 from .declared_properties import Declared
 from .linked_geometry import linked_surface, require_shape
 from .native_surface import surface_shape
@@ -93,13 +94,16 @@ class ExtendedSurfaceProxy(ComputedProxy):
         yield linked_surface(obj.Base, "base surface")
         yield from (obj.Side, obj.Ratio, obj.UseTau, obj.UseTau and obj.Tau)
 
-    def compute(self, obj: Any) -> None:
-        """Extend."""
+    def task(self, obj: Any) -> Task:
+        """What extends the surface."""
         surface = linked_surface(obj.Base, "base surface")
-        tau = obj.Tau if obj.UseTau else None
-        shape = surface_shape(extend_surface(surface, obj.Side, obj.Ratio, tau))
+        side, ratio, tau = obj.Side, obj.Ratio, obj.Tau if obj.UseTau else None
+        return lambda _progress: extend_surface(surface, side, ratio, tau)
+
+    def write(self, obj: Any, result: BSplineSurface) -> None:
+        """Write the longer surface."""
+        shape = surface_shape(result)
         shape.Placement = obj.Placement
         obj.Shape = shape
         obj.Message = ""
         obj.Origin = FreeCAD.Vector(*origin_of(obj.Base))
-        mark_as_computed(obj)

@@ -5,9 +5,8 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
 from ..surfacing import SurfaceFit
+from ..surfacing.support import supported_share
 from .computed_object import result
 
 __all__ = ["FIT_RESULTS", "write_fit_numbers"]
@@ -18,7 +17,7 @@ FIT_RESULTS = (
     result("Length", "RootMeanSquare", "Root mean square deviation of the points"),
     result("Integer", "PointCount", "Number of points the surface was fitted to; 0: to none"),
     result("Integer", "OutsideCount", "Number of points beyond the surface's rim, left out"),
-    result("Percent", "Supported", "Share of the surface's patches that hold points enough"),
+    result("Percent", "Supported", "Share of the surface's area where there are points enough"),
 )
 
 
@@ -29,4 +28,4 @@ def write_fit_numbers(obj: Any, fit: SurfaceFit | None) -> None:
     obj.RootMeanSquare = 0.0 if fit is None else fit.rms
     obj.PointCount = 0 if fit is None else int((~fit.outside).sum())
     obj.OutsideCount = 0 if fit is None else int(fit.outside.sum())
-    obj.Supported = 0 if fit is None else round(100.0 * float(np.mean(fit.supported)))
+    obj.Supported = 0 if fit is None else round(100.0 * supported_share(fit.surface, fit.supported))

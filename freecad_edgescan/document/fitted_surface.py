@@ -6,27 +6,38 @@ The name of this module and of `FittedSurfaceProxy` are written into users' file
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import FreeCAD
 
+from ..cloud import compensate_cloud
+from ..cloud.progress import Stage
+from ..geometry import BSplineSurface
 from ..scanning import Progress
-from ..surfacing import SurfaceFit, fit_surface
+from ..surfacing import SurfaceFit, base_surface, fit_surface
 from .bridge import origin_of
-from .cloud_cache import cloud_checksum
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed
+from .cloud_cache import cloud_checksum, point_cloud
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
 from .declared_properties import Declared
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
-from .linked_geometry import linked_surface, require_cloud, require_shape
+from .linked_geometry import linked_curve, linked_surface, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
 
-__all__ = ["FittedSurfaceProxy", "fit_surface_again", "make_fitted_surface", "write_fit"]
+__all__ = ["FittedSurfaceProxy", "make_fitted_surface"]
 
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Fit", "Cloud or segment the surface is fitted to"),
     Declared("LinkGlobal", "Base", "Fit", "Surface near the points; it gives the fit its rim"),
+    Declared(
+        "LinkListGlobal",
+        "Edges",
+        "Fit",
+        "Without a base: four edges round the surface; without these the plane, cylinder, cone, "
+        "sphere or quadric that the cloud's points lie on is the base",
+    ),
     Declared(
         "Distance",
         "Distance",
@@ -54,11 +65,12 @@ _PROPERTIES = (
 def make_fitted_surface(
     doc: Any,
     cloud: Any,
-    base: Any,
+    base: Any = None,
     control_points: tuple[int, int] | None = (12, 6),
     degree: tuple[int, int] = (3, 3),
     tolerance: float | None = None,
     distance: float = 3.0,
+    edges: Sequence[Any] = (),
     name: str = "FittedSurface",
 ) -> Any:
     """Make a surface that fits a cloud; `doc.recompute()` fits it.
@@ -67,11 +79,13 @@ def make_fitted_surface(
     ----------
     doc : App.Document
     cloud : Points::Feature
-    base : object whose Shape is one face near the points
+    base : object whose Shape is one face near the points; None: from edges, or from the points
     control_points : in u and v; None: as many as the tolerance, or the points' scatter, asks for
     degree : in u and v
     tolerance : mm, with ``control_points=None``
     distance : mm, from the base surface, within which points of a whole cloud belong to it
+    edges : without a base, four objects with a curve, round the surface; none: the base is the
+        plane, cylinder, cone, sphere or quadric that the cloud's points lie on
     name : of the object
 
     Returns
@@ -80,13 +94,20 @@ def make_fitted_surface(
 
     Raises
     ------
-    ValueError: no cloud, or a base without a shape.
+    ValueError: no cloud, a base or edges without a shape, a base and edges, or not four edges.
     """
+    edges = list(edges)
     require_cloud(cloud)
-    require_shape("base surface", [base])
+    require_shape("base surface", [] if base is None else [base])
+    require_shape("edge", edges)
+    if edges and (base is not None or len(edges) != 4):
+        raise ValueError(
+            f"{len(edges)} edges {'and a base surface ' if base is not None else ''}are given; "
+            "give a base surface, or four edges round the surface, or none of both."
+        )
     obj = doc.addObject("Part::FeaturePython", name)
     FittedSurfaceProxy(obj)
-    obj.Cloud, obj.Base, obj.Distance = cloud, base, float(distance)
+    obj.Cloud, obj.Base, obj.Edges, obj.Distance = cloud, base, edges, float(distance)
     obj.PolesU, obj.PolesV = (0, 0) if control_points is None else map(int, control_points)
     obj.DegreeU, obj.DegreeV = map(int, degree)
     obj.Tolerance = float(tolerance or 0.0)
@@ -100,41 +121,59 @@ class FittedSurfaceProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, base surface, and the surface's form."""
-        yield linked_surface(obj.Base, "base surface")
+        yield None if obj.Base is None else linked_surface(obj.Base, "base surface")
+        yield from (linked_curve(edge, "edge") for edge in obj.Edges)
         yield "" if obj.Cloud is None else cloud_checksum(obj.Cloud)
         yield from (obj.Distance.Value, obj.Tolerance.Value)
         yield from (obj.PolesU, obj.PolesV, obj.DegreeU, obj.DegreeV)
 
-    def compute(self, obj: Any) -> None:
-        """Fit."""
-        write_fit(obj, fit_surface_again(obj))
+    def task(self, obj: Any) -> Task:
+        """What fits the surface."""
+        near = points_near_base(obj.Cloud, obj.Distance.Value)
+        base_of = self._base(obj)
+        automatic = obj.PolesU == 0 and obj.PolesV == 0
+        control_points = None if automatic else (int(obj.PolesU), int(obj.PolesV))
+        degree = int(obj.DegreeU), int(obj.DegreeV)
+        tolerance = obj.Tolerance.Value or None
 
+        def fit(progress: Progress | None) -> SurfaceFit:
+            base, said = base_of(progress and Stage(progress, 0.0, 0.3))
+            result = fit_surface(
+                near(base, progress and Stage(progress, 0.3, 0.5)),
+                base,
+                control_points,
+                degree,
+                tolerance=tolerance,
+                progress=progress and Stage(progress, 0.5, 1.0),
+            )
+            return replace(result, message=f"{said} {result.message}".strip())
 
-def fit_surface_again(obj: Any, progress: Progress | None = None) -> SurfaceFit:
-    """Fit with an object's present inputs; the object stays as it is.
+        return fit
 
-    Raises
-    ------
-    ValueError: it cannot be done; the text says why.
-    """
-    base = linked_surface(obj.Base, "base surface")
-    automatic = obj.PolesU == 0 and obj.PolesV == 0
-    return fit_surface(
-        points_near_base(obj.Cloud, base, obj.Distance.Value),
-        base,
-        None if automatic else (int(obj.PolesU), int(obj.PolesV)),
-        (int(obj.DegreeU), int(obj.DegreeV)),
-        tolerance=obj.Tolerance.Value or None,
-        progress=progress,
-    )
+    @staticmethod
+    def _base(obj: Any) -> Callable[[Progress | None], tuple[BSplineSurface, str]]:
+        """What answers the base surface, and what is to be said of it."""
+        if obj.Base is not None:
+            surface = linked_surface(obj.Base, "base surface")
+            return lambda _progress: (surface, "")
+        edges = [linked_curve(edge, "edge") for edge in obj.Edges]
+        cloud = point_cloud(obj.Cloud)
 
+        def found(progress: Progress | None) -> tuple[BSplineSurface, str]:
+            if edges:
+                base = base_surface(edges=edges)
+            else:
+                half = progress and Stage(progress, 0.0, 0.5)
+                base = base_surface(compensate_cloud(cloud, half), progress=progress)
+            return base.surface, base.message
 
-def write_fit(obj: Any, fit: SurfaceFit) -> None:
-    """Write a fit made with the object's present inputs; the next recompute has nothing to do."""
-    shape = surface_shape(fit.surface)
-    shape.Placement = obj.Placement
-    obj.Shape = shape
-    obj.Message = fit.message
-    write_fit_numbers(obj, fit)
-    obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
-    mark_as_computed(obj)
+        return found
+
+    def write(self, obj: Any, result: SurfaceFit) -> None:
+        """Write surface and numbers."""
+        shape = surface_shape(result.surface)
+        shape.Placement = obj.Placement
+        obj.Shape = shape
+        obj.Message = result.message
+        write_fit_numbers(obj, result)
+        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))

@@ -3,14 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from ..geometry import BSplineCurve, BSplineSurface
 from .native_curve import curve_of
 from .native_surface import surface_of
 
-__all__ = ["linked_curve", "linked_surface", "require_cloud", "require_shape"]
+__all__ = ["linked_curve", "linked_surface", "require_cloud", "require_shape", "shape_inputs"]
 
 
 def linked_curve(obj: Any, what: str) -> BSplineCurve:
@@ -33,6 +33,13 @@ def linked_surface(obj: Any, what: str) -> BSplineSurface:
     if obj is None:
         raise ValueError(f"There is no {what}; choose one, or undo its deletion.")
     return surface_of(obj.Shape, f"{what} {obj.Label!r}")
+
+
+def shape_inputs(shape: Any) -> Iterator[object]:
+    """What depends on all faces of a shape depends on: their surfaces, and where these end."""
+    for face in [] if shape.isNull() else shape.Faces:
+        yield surface_of(face)
+        yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
 
 
 def require_shape(what: str, items: Sequence[Any]) -> None:

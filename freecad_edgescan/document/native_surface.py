@@ -11,7 +11,7 @@ import Part
 from ..geometry import BSplineSurface
 from .native_curve import vector
 
-__all__ = ["native_surface", "surface_of", "surface_shape"]
+__all__ = ["as_nurbs", "native_surface", "surface_of", "surface_shape"]
 
 
 def native_surface(surface: BSplineSurface) -> Any:
@@ -38,6 +38,16 @@ def surface_shape(surface: BSplineSurface) -> Any:
     return native_surface(surface).toShape()
 
 
+def as_nurbs(face: Any) -> Any:
+    """The face over the B-spline that its surface is.
+
+    Without the triangles that the window gave it: with them FreeCAD 1.0 makes a face whose surface
+    it does not know.
+    """
+    (converted,) = face.copy(True, False).toNurbs().Faces
+    return converted
+
+
 def surface_of(shape: Any, what: str = "surface") -> BSplineSurface:
     """The exact B-spline surface of a shape's only face.
 
@@ -62,7 +72,7 @@ def surface_of(shape: Any, what: str = "surface") -> BSplineSurface:
             f"The {what} has {len(faces)} faces and must have one; "
             + ("choose one of them." if faces else "recompute the document, or choose another.")
         )
-    (converted,) = faces[0].toNurbs().Faces
+    converted = as_nurbs(faces[0])
     native = converted.Surface
     wanted, whole = np.array(converted.ParameterRange), np.array(native.bounds())
     slack = 1e-9 * np.repeat(whole[1::2] - whole[::2], 2)

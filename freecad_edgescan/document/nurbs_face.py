@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
+from .native_surface import as_nurbs
+
 __all__ = ["NurbsFace"]
 
 Array = NDArray[np.float64]
@@ -38,7 +40,7 @@ class NurbsFace:
     """
 
     def __init__(self, face: Any, chord: float) -> None:
-        nurbs = face.toNurbs().Faces[0]
+        nurbs = as_nurbs(face)
         corners, triples = nurbs.tessellate(chord)
         xyz = np.array([(p.x, p.y, p.z) for p in corners]).reshape(-1, 3)
         self.triangles: Array = xyz[np.array(triples, dtype=np.intp).reshape(-1, 3)]

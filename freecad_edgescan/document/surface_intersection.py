@@ -13,11 +13,11 @@ from typing import Any
 import FreeCAD
 import Part
 
+from ..scanning import Progress
 from .bridge import origin_of
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed, result
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
-from .linked_geometry import require_shape
-from .native_surface import surface_of
+from .linked_geometry import require_shape, shape_inputs
 
 __all__ = ["SurfaceIntersectionProxy", "make_surface_intersection"]
 
@@ -67,27 +67,35 @@ class SurfaceIntersectionProxy(ComputedProxy):
     """What makes the object intersect."""
 
     PROPERTIES = _PROPERTIES
+    PLAIN = False
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces of both, and the tolerance."""
         for face in (*_faces(obj.First), *_faces(obj.Second)):
-            yield surface_of(face)
-            yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
+            yield from shape_inputs(face)
         yield obj.Tolerance.Value
 
-    def compute(self, obj: Any) -> None:
-        """Intersect."""
+    def task(self, obj: Any) -> Task:
+        """What intersects them: the curves as wires, the longest first."""
         first, second = (Part.Compound(_faces(own)) for own in (obj.First, obj.Second))
-        section = first.section([second], obj.Tolerance.Value)
-        wires = (
-            [Part.Wire(chain) for chain in Part.sortEdges(section.Edges)] if section.Edges else []
-        )
-        if not wires:
-            raise ValueError(
-                f"{obj.First.Label!r} and {obj.Second.Label!r} do not meet; extend one of them, or "
-                "choose others."
-            )
-        wires.sort(key=lambda wire: -float(wire.Length))
+        tolerance = obj.Tolerance.Value
+        labels = obj.First.Label, obj.Second.Label
+
+        def intersect(_progress: Progress | None) -> list[Any]:
+            edges = first.section([second], tolerance).Edges
+            if not edges:
+                raise ValueError(
+                    f"{labels[0]!r} and {labels[1]!r} do not meet; extend one of them, or choose "
+                    "others."
+                )
+            wires = [Part.Wire(chain) for chain in Part.sortEdges(edges)]
+            return sorted(wires, key=lambda wire: -float(wire.Length))
+
+        return intersect
+
+    def write(self, obj: Any, result: list[Any]) -> None:
+        """Write the curves."""
+        wires = result
         shape = wires[0] if len(wires) == 1 else Part.Compound(wires)
         shape = shape.Edges[0] if len(shape.Edges) == 1 else shape
         shape.Placement = obj.Placement.multiply(shape.Placement)
@@ -96,7 +104,6 @@ class SurfaceIntersectionProxy(ComputedProxy):
         obj.Length = sum(float(wire.Length) for wire in wires)
         obj.Message = ""
         obj.Origin = FreeCAD.Vector(*origin_of(obj.First))
-        mark_as_computed(obj)
 
 
 def _faces(obj: Any) -> list[Any]:

@@ -58,6 +58,11 @@ def sweep_shape(profile: Any, rail: Any, solid: bool = False) -> tuple[Any, bool
         ) from None
     if surface.isNull() or not surface.Faces:
         raise ValueError("The sweep has no face; let the profile stand across the rail.")
+    if not surface.isValid():
+        raise ValueError(
+            "The swept surface has no width somewhere or crosses itself. Let the profile stand "
+            "across the rail, or sweep along a shorter piece."
+        )
     require_within_reach(surface, profile, rail)
     if solid and not maker.makeSolid():
         raise ValueError("Only a closed profile gives a solid; close it, or set Solid to false.")

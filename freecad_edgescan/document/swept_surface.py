@@ -12,6 +12,7 @@ from typing import Any
 import FreeCAD
 import numpy as np
 
+from ..cloud.progress import Stage
 from ..scanning import Progress
 from ..surfacing import (
     SweepModel,
@@ -23,14 +24,15 @@ from ..surfacing import (
 )
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, mark_as_computed, result
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
+from .exact_sweep import exact_shape
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
 
-__all__ = ["SweptSurfaceProxy", "fit_sweep_again", "make_swept_surface", "write_sweep"]
+__all__ = ["SweptSurfaceProxy", "make_swept_surface"]
 
 BETTER = "better"
 MODELS = (BETTER, *(str(model.value) for model in SweepModel))
@@ -50,7 +52,20 @@ _PROPERTIES = (
     ),
     Declared("Distance", "LargestGap", "Sweep", "How far a profile may end beside its rail"),
     Declared(
+        "Bool",
+        "CutRails",
+        "Sweep",
+        "Whether rails that go on beyond the outer profiles by more than LargestGap end where "
+        "these do",
+    ),
+    Declared(
         "Distance", "Tolerance", "Sweep", "Of the surface from the exact sweep, without a cloud"
+    ),
+    Declared(
+        "Bool",
+        "Exact",
+        "Sweep",
+        "Whether an extrusion or revolution, as Kinds says, is made as a surface of this kind",
     ),
     Declared("LinkGlobal", "Cloud", "Fit", "Cloud or segment the sweep is fitted to, or nothing"),
     Declared(
@@ -77,6 +92,7 @@ def make_swept_surface(
     model: str = BETTER,
     control_points: tuple[int, int] = (14, 7),
     distance: float = 3.0,
+    cut_rails: bool = True,
     name: str = "SweptSurface",
 ) -> Any:
     """Make a surface swept by profiles along rails; `doc.recompute()` computes it.
@@ -90,6 +106,7 @@ def make_swept_surface(
     model : "blend", "rotate", or "better": the one that explains the cloud better
     control_points : of the fitted rails and of the fitted profiles
     distance : mm, from the sweep, within which points of a whole cloud belong to it
+    cut_rails : whether rails that go on beyond the outer profiles end where these do
     name : of the object
 
     Returns
@@ -112,7 +129,7 @@ def make_swept_surface(
     obj.Rails, obj.Profiles, obj.Cloud = rails, profiles, cloud
     obj.Model = str(model)
     obj.RailPoles, obj.ProfilePoles = (int(count) for count in control_points)
-    obj.Distance = float(distance)
+    obj.Distance, obj.CutRails = float(distance), bool(cut_rails)
     return obj
 
 
@@ -130,56 +147,55 @@ class SweptSurfaceProxy(ComputedProxy):
         """Rails, profiles and cloud, and how they are swept and fitted."""
         yield from (linked_curve(rail, "rail") for rail in obj.Rails)
         yield from (linked_curve(profile, "profile") for profile in obj.Profiles)
-        yield from (len(obj.Rails), obj.Model, obj.LargestGap.Value)
+        yield from (len(obj.Rails), obj.Model, obj.LargestGap.Value, obj.CutRails, obj.Exact)
         if obj.Cloud is None:
             yield obj.Tolerance.Value
         else:
             yield cloud_checksum(obj.Cloud)
             yield from (obj.Distance.Value, obj.RailPoles, obj.ProfilePoles)
 
-    def compute(self, obj: Any) -> None:
-        """Sweep, and fit when there is a cloud."""
-        write_sweep(obj, fit_sweep_again(obj))
+    def task(self, obj: Any) -> Task:
+        """What sweeps, and fits when there is a cloud."""
+        rails = tuple(linked_curve(rail, "rail") for rail in obj.Rails)
+        profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
+        both = obj.Model == BETTER
+        model = SweepModel.ROTATE if both else SweepModel(obj.Model)
+        gap, cut = obj.LargestGap.Value, bool(obj.CutRails)
+        near = None if obj.Cloud is None else points_near_base(obj.Cloud, obj.Distance.Value)
+        poles = int(obj.RailPoles), int(obj.ProfilePoles)
 
+        def sweep(progress: Progress | None) -> SweptFit | SweptSurface:
+            base = SweptSurface(rails, profiles, model, largest_gap=gap, cut_rails=cut)
+            if near is None:
+                return base
+            points = near(base.to_bspline(1e-2), progress and Stage(progress, 0.0, 0.5))
+            rest = progress and Stage(progress, 0.5, 1.0)
+            if both and len(base.profiles) == 2 and len(base.rails) == 2:
+                return next(iter(compare_sweep_models(points, base, poles, rest).values()))
+            return fit_swept_surface(points, base, poles, rest)
 
-def fit_sweep_again(obj: Any, progress: Progress | None = None) -> SweptFit | SweptSurface:
-    """Sweep with an object's present inputs, and fit when it has a cloud; the object stays.
+        return sweep
 
-    Raises
-    ------
-    ValueError: it cannot be done; the text says why.
-    """
-    rails = tuple(linked_curve(rail, "rail") for rail in obj.Rails)
-    profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
-    both = obj.Model == BETTER
-    model = SweepModel.ROTATE if both else SweepModel(obj.Model)
-    base = SweptSurface(rails, profiles, model, largest_gap=obj.LargestGap.Value)
-    if obj.Cloud is None:
-        return base
-    points = points_near_base(obj.Cloud, base.to_bspline(1e-2), obj.Distance.Value)
-    poles = (int(obj.RailPoles), int(obj.ProfilePoles))
-    if both and len(base.profiles) == 2 and len(base.rails) == 2:
-        return next(iter(compare_sweep_models(points, base, poles, progress).values()))
-    return fit_swept_surface(points, base, poles, progress)
-
-
-def write_sweep(obj: Any, found: SweptFit | SweptSurface) -> None:
-    """Write a sweep made with the object's present inputs; the next recompute has nothing to do."""
-    if isinstance(found, SweptFit):
-        sweep, surface, message = found.sweep, found.surface, found.message
-        write_fit_numbers(obj, found)
-        tolerance = max(3.0 * found.rms, 1e-3)
-    else:
-        sweep, surface, message = found, found.to_bspline(obj.Tolerance.Value), found.message
-        write_fit_numbers(obj, None)
-        tolerance = max(obj.Tolerance.Value, 1e-3)
-    shape = surface_shape(surface)
-    shape.Placement = obj.Placement
-    obj.Shape = shape
-    obj.Message = message
-    if sweep is not None:
-        obj.ModelUsed = str(sweep.model.value)
-        obj.Kinds = [str(kind.value) for kind in sweep_kinds(sweep, tolerance)]
-    origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
-    obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))
-    mark_as_computed(obj)
+    def write(self, obj: Any, result: SweptFit | SweptSurface) -> None:
+        """Write surface and numbers, and what the sweep is besides."""
+        if isinstance(result, SweptFit):
+            sweep, surface = result.sweep, result.surface
+            write_fit_numbers(obj, result)
+            tolerance = max(3.0 * result.rms, 1e-3)
+        else:
+            sweep, surface = result, result.to_bspline(obj.Tolerance.Value)
+            write_fit_numbers(obj, None)
+            tolerance = max(obj.Tolerance.Value, 1e-3)
+        kinds = () if sweep is None else sweep_kinds(sweep, tolerance)
+        exact = exact_shape(sweep, kinds) if obj.Exact and sweep is not None else None
+        shape = surface_shape(surface) if exact is None else exact
+        shape.Placement = obj.Placement
+        obj.Shape = shape
+        missing = obj.Exact and exact is None
+        said = "The sweep is neither an extrusion nor a revolution." if missing else ""
+        obj.Message = f"{result.message} {said}".strip()
+        obj.Kinds = [str(kind.value) for kind in kinds]
+        if sweep is not None:
+            obj.ModelUsed = str(sweep.model.value)
+        origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
+        obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))

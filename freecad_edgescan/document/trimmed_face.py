@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ..geometry import BSplineCurve
 from ..surfacing.parameterised import beyond_the_rim
 from .native_curve import curve_of
-from .native_surface import surface_of
+from .native_surface import as_nurbs, surface_of
 
 __all__ = ["TrimmedFace"]
 
@@ -31,7 +31,7 @@ class TrimmedFace:
 
     def __init__(self, face: Any) -> None:
         self.surface = surface_of(face)
-        (converted,) = face.toNurbs().Faces
+        converted = as_nurbs(face)
         self._segments = _rim_segments(converted)
         if converted.Orientation == "Reversed":
             first, last = self.surface.parameter_range[0]

@@ -19,7 +19,14 @@ from numpy.typing import NDArray
 from ..cloud import CoreBox, PointCloud, compensate_cloud, thin_cloud
 from ..geometry import BSplineCurve
 from ..scanning import Gate, Progress, ScannedEdge, Start, scan_edge
-from ..surfacing import SweepModel, SweptFit, SweptSurface, cross_section, fit_swept_surface
+from ..surfacing import (
+    CrossSection,
+    SweepModel,
+    SweptFit,
+    SweptSurface,
+    cross_section,
+    fit_swept_surface,
+)
 from ..surfacing.compensated_segment import compensated_segment
 from .casestudy_published import GRIDS, SEGMENT_DISTANCE, THINNED_PITCH
 from .true_wall import deviation_from_wall, surface_from_wall
@@ -58,7 +65,8 @@ class CaseStudyPipe:
     Attributes
     ----------
     number : from 1
-    rails, profiles : curves
+    rails : curves as scanned, which need not end opposite each other
+    sections : of the cloud, from either end of the first rail to the second
     points : (n, 3) mm, compensated points of the wall
     thinned : (m, 3) mm, those of them on the 5 mm grid
     noise : (n,) mm, distances of the points from the true wall
@@ -67,7 +75,7 @@ class CaseStudyPipe:
 
     number: int
     rails: tuple[BSplineCurve, BSplineCurve]
-    profiles: tuple[BSplineCurve, BSplineCurve]
+    sections: tuple[CrossSection, CrossSection]
     points: Array = field(repr=False)
     thinned: Array = field(repr=False)
     noise: Array = field(repr=False)
@@ -75,7 +83,7 @@ class CaseStudyPipe:
 
     def base(self, model: SweepModel) -> SweptSurface:
         """The sweep along the rails as scanned, before it is fitted."""
-        return SweptSurface(self.rails, self.profiles, model)
+        return _base(self.rails, self.sections, model)
 
     def fit(self, model: SweepModel, grid: tuple[int, int], thinned: bool) -> CaseStudyFit | None:
         """The fit of a model and grid, or None when the study was stopped before it."""
@@ -164,10 +172,10 @@ def _pipes(
     with steps.step("compensate and segment"):
         compensated = compensate_cloud(cloud)
     with steps.step("profiles and base surfaces"):
-        framed = [_with_end_profiles(compensated, *rails) for rails in pairs]
+        sections = [_end_sections(compensated, *rails) for rails in pairs]
     with steps.step("compensate and segment"):
-        for number, (rails, own) in enumerate(framed, 1):
-            base = SweptSurface(rails, own, SweepModel.ROTATE).to_bspline(1e-2)
+        for number, (rails, own) in enumerate(zip(pairs, sections, strict=True), 1):
+            base = _base(rails, own, SweepModel.ROTATE).to_bspline(1e-2)
             points = compensated_segment(cloud, base, SEGMENT_DISTANCE, compensated)
             thinned = thin_cloud(PointCloud(points), pitch).points
             noise = deviation_from_wall(box.pipes[number - 1], points)
@@ -175,17 +183,21 @@ def _pipes(
     return pipes
 
 
-Pair = tuple[BSplineCurve, BSplineCurve]
-
-
-def _with_end_profiles(
+def _end_sections(
     cloud: PointCloud, first: BSplineCurve, second: BSplineCurve
-) -> tuple[Pair, Pair]:
-    """Two rails, the second one as long as the first, and the profiles at their ends."""
-    start, end = (cross_section(cloud, first, share, second).curve for share in (0.0, 1.0))
-    meets = [own.evaluate(np.array([own.parameter_range[1]]))[0] for own in (start, end)]
-    low, high = second.closest(np.array(meets))[0]
-    return (first, second.restricted(float(low), float(high))), (start, end)
+) -> tuple[CrossSection, CrossSection]:
+    """The sections from the first rail's ends to the second rail, which may go on beyond them."""
+    start, end = (cross_section(cloud, first, share, second) for share in (0.0, 1.0))
+    return start, end
+
+
+def _base(
+    rails: tuple[BSplineCurve, BSplineCurve],
+    sections: tuple[CrossSection, CrossSection],
+    model: SweepModel,
+) -> SweptSurface:
+    profiles = tuple(section.curve for section in sections)
+    return SweptSurface(rails, profiles, model, cut_rails=True)
 
 
 def _fitted(

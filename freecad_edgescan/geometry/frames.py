@@ -14,6 +14,7 @@ __all__ = [
     "rotate",
     "rotation_minimising_frames",
     "turned_along",
+    "unit",
 ]
 
 Array = NDArray[np.float64]
@@ -24,6 +25,11 @@ _AFTER = np.array([2, 0, 1])
 def cross(one: Array, other: Array) -> Array:
     """Cross product of (..., 3) arrays: NumPy's, without its care for other shapes."""
     return one[..., _NEXT] * other[..., _AFTER] - one[..., _AFTER] * other[..., _NEXT]
+
+
+def unit(vectors: Array) -> Array:
+    """Vectors (..., 3) divided by their lengths, which must not be zero."""
+    return vectors / np.sqrt(np.einsum("...i,...i->...", vectors, vectors))[..., None]
 
 
 def rotate(vectors: ArrayLike, axis: ArrayLike, angle: ArrayLike) -> Array:

@@ -1,37 +1,101 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands of the workbench."""
+"""The commands of the workbench, and where they stand in toolbars and menus."""
 
 from __future__ import annotations
 
-from typing import Any
-
+import FreeCAD
 import FreeCADGui
 
-from .import_cloud_command import ImportCloudCommand
-from .loft_command import LoftCommand
-from .scan_edge_command import ScanEdgeCommand
+from .clicked_commands import clicked_commands
+from .cloud_commands import cloud_commands
+from .import_cloud_command import import_cloud_command
+from .output_commands import output_commands
+from .scan_edge_command import scan_edge_command
 from .surface_commands import surface_commands
-from .sweep_command import SweepCommand
+from .sweep_commands import sweep_commands
+from .try_it import try_it_command
 from .view_provider_observer import start_watching
 
-__all__ = ["register"]
+__all__ = ["TOOLBARS", "for_selection", "menu", "register"]
+
+QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
+
+# At most six in each: what a person takes in at a glance.
+TOOLBARS = {
+    QT_TRANSLATE_NOOP("Workbench", "EdgeScan clouds"): [
+        "EdgeScan_ImportCloud",
+        "EdgeScan_SimulatedCloud",
+        "EdgeScan_CompensateCloud",
+        "EdgeScan_ThinCloud",
+        "EdgeScan_CloudSegment",
+    ],
+    QT_TRANSLATE_NOOP("Workbench", "EdgeScan edges"): [
+        "EdgeScan_ScanEdge",
+        "EdgeScan_ScanBoundary",
+        "EdgeScan_RecommendParameters",
+    ],
+    QT_TRANSLATE_NOOP("Workbench", "EdgeScan sweeps"): [
+        "EdgeScan_CloudSection",
+        "EdgeScan_Sweep",
+        "EdgeScan_Loft",
+        "EdgeScan_SweptSurface",
+    ],
+    QT_TRANSLATE_NOOP("Workbench", "EdgeScan surfaces"): [
+        "EdgeScan_FittedSurface",
+        "EdgeScan_ExtendSurface",
+        "EdgeScan_IntersectSurfaces",
+        "EdgeScan_TrimmedShell",
+    ],
+    QT_TRANSLATE_NOOP("Workbench", "EdgeScan results"): [
+        "EdgeScan_DeviationMap",
+        "EdgeScan_Export",
+        "EdgeScan_Report",
+    ],
+}
+_MENU_ONLY = ["EdgeScan_TryIt"]
+
+_FOR_CLOUDS = [
+    "EdgeScan_ScanEdge",
+    "EdgeScan_ScanBoundary",
+    "EdgeScan_RecommendParameters",
+    "EdgeScan_CompensateCloud",
+    "EdgeScan_ThinCloud",
+]
+_FOR_EDGES = ["EdgeScan_CloudSection", "EdgeScan_Sweep", "EdgeScan_Loft", "EdgeScan_Export"]
 
 
-def register() -> list[str]:
-    """Make the commands known to FreeCAD.
-
-    Returns
-    -------
-    Their names, in the order of the toolbar.
-    """
-    commands: dict[str, Any] = {
-        "EdgeScan_ImportCloud": ImportCloudCommand(),
-        "EdgeScan_ScanEdge": ScanEdgeCommand(),
-        "EdgeScan_Sweep": SweepCommand(),
-        "EdgeScan_Loft": LoftCommand(),
-        **surface_commands(),
-    }
-    for name, command in commands.items():
-        FreeCADGui.addCommand(name, command)
+def register() -> None:
+    """Make the commands known to FreeCAD."""
+    for command in (
+        import_cloud_command(),
+        *cloud_commands(),
+        scan_edge_command(),
+        *clicked_commands(),
+        *sweep_commands(),
+        *surface_commands(),
+        *output_commands(),
+        try_it_command(),
+    ):
+        FreeCADGui.addCommand(command.name, command)
     start_watching()
-    return list(commands)
+
+
+def menu() -> list[str]:
+    """All commands in the order of the menu, with separators between their groups."""
+    names = list(_MENU_ONLY)
+    for group in TOOLBARS.values():
+        names += ["Separator", *group]
+    return names
+
+
+def for_selection() -> list[str]:
+    """What a right click offers for what is selected: commands for clouds, for edges, or none."""
+    from .selected import clouds_of, is_scanned_edge
+
+    chosen = FreeCADGui.Selection.getSelection()
+    names: list[str] = []
+    if clouds_of(chosen):
+        names += _FOR_CLOUDS
+    if any(is_scanned_edge(item) or hasattr(item, "Sigma") for item in chosen):
+        names += _FOR_EDGES
+    return names

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from .colours import EDGE
 from .icons import icon_path
+from .preferences import point_size
 
 __all__ = ["ViewProviderComputed"]
 
@@ -16,9 +18,14 @@ _ICONS = {
     "SurfaceIntersectionProxy": "EdgeScan_IntersectSurfaces",
     "CloudSegmentProxy": "EdgeScan_CloudSegment",
     "CloudSectionProxy": "EdgeScan_CloudSection",
+    "TrimmedShellProxy": "EdgeScan_TrimmedShell",
     "DeviationMapProxy": "EdgeScan_DeviationMap",
+    "SimulatedCloudProxy": "EdgeScan_SimulatedCloud",
+    "ThinnedCloudProxy": "EdgeScan_ThinCloud",
+    "CompensatedCloudProxy": "EdgeScan_CompensateCloud",
+    "ScannedBoundaryProxy": "EdgeScan_ScanBoundary",
 }
-_POINT_SIZE = 3.0
+_SHADED = ("SimulatedCloudProxy", "ThinnedCloudProxy", "CompensatedCloudProxy")
 
 
 class ViewProviderComputed:
@@ -31,7 +38,9 @@ class ViewProviderComputed:
         view_object.Proxy = self
         self.attach(view_object)
         if hasattr(view_object, "PointSize"):
-            view_object.PointSize = _POINT_SIZE
+            view_object.PointSize = float(point_size())
+        if type(view_object.Object.Proxy).__name__ == "ScannedBoundaryProxy":
+            view_object.LineColor, view_object.LineWidth = EDGE, 3.0
 
     def attach(self, view_object: Any) -> None:
         """FreeCAD shows the object for the first time; it draws shape and points itself."""
@@ -39,6 +48,10 @@ class ViewProviderComputed:
 
     def updateData(self, obj: Any, name: str) -> None:
         """A map shows its colours as soon as it has them; points have no mode of their own."""
+        if name == "Points" and type(getattr(obj, "Proxy", None)).__name__ in _SHADED:
+            from .cloud_looks import shade
+
+            shade(obj)
         if name in ("Color", "Points") and type(getattr(obj, "Proxy", None)).__name__ in _ICONS:
             _show_points(obj.ViewObject, coloured=hasattr(obj, "Color"))
 

@@ -10,8 +10,13 @@ import FreeCAD
 import FreeCADGui
 
 from .qt import QtWidgets
+from .translation import translate
 
-__all__ = ["problems_shown", "show_problem"]
+__all__ = ["CancelledError", "problems_shown", "show_problem"]
+
+
+class CancelledError(Exception):
+    """The user does not want what the command was about any more."""
 
 
 def show_problem(title: str, sentence: str) -> None:
@@ -25,11 +30,16 @@ def problems_shown(title: str) -> Iterator[None]:
     """Show the problems a user can mend; faults of ours pass through, with their trace."""
     try:
         yield
+    except CancelledError:
+        pass
     except ModuleNotFoundError as error:
+        package = (error.name or "").partition(".")[0]
         show_problem(
             title,
-            f"EdgeScan needs the Python package {error.name}, which is not installed. Install it "
-            f"(on Debian: apt install python3-{error.name}) and start FreeCAD again.",
+            translate(
+                "EdgeScan needs the Python package {package}, which is not installed. Install it "
+                "(on Debian: apt install python3-{package}) and start FreeCAD again."
+            ).format(package=package),
         )
     except (ValueError, OSError) as error:
         show_problem(title, str(error))

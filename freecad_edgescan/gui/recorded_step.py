@@ -13,7 +13,7 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
-__all__ = ["as_literal", "object_line", "run_as_one_step"]
+__all__ = ["as_literal", "object_line", "object_lines", "run_as_one_step"]
 
 
 def as_literal(point: Any) -> str:
@@ -25,6 +25,11 @@ def as_literal(point: Any) -> str:
 def object_line(item: Any) -> str:
     """The expression that finds a document object again, given ``doc``."""
     return f"doc.getObject({item.Name!r})"
+
+
+def object_lines(items: list[Any]) -> str:
+    """The expression that finds document objects again, as a list."""
+    return f"[{', '.join(object_line(item) for item in items)}]"
 
 
 def run_as_one_step(

@@ -3,47 +3,48 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import FreeCAD
 import FreeCADGui
 
-from .icons import icon_path
-from .message import problems_shown
+from .command import Command
+from .obstacles import no_cloud
+from .translation import translate
 
-__all__ = ["ScanEdgeCommand"]
+__all__ = ["scan_edge_command"]
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-class ScanEdgeCommand:
+def scan_edge_command() -> Command:
     """The command EdgeScan_ScanEdge."""
+    return Command(
+        "EdgeScan_ScanEdge",
+        QT_TRANSLATE_NOOP("EdgeScan_ScanEdge", "Scan edge"),
+        QT_TRANSLATE_NOOP(
+            "EdgeScan_ScanEdge",
+            "Click on a visible cloud, near an edge: the edge is followed both ways until it "
+            "ends. Nothing needs to be selected before.",
+        ),
+        QT_TRANSLATE_NOOP("EdgeScan_ScanEdge", "Click on a cloud, near an edge"),
+        _open_panel,
+        no_cloud,
+    )
 
-    def GetResources(self) -> dict[str, str]:
-        """Icon, menu text and tooltip."""
-        return {
-            "Pixmap": icon_path("EdgeScan_ScanEdge"),
-            "MenuText": QT_TRANSLATE_NOOP("EdgeScan_ScanEdge", "Scan edge"),
-            "ToolTip": QT_TRANSLATE_NOOP(
-                "EdgeScan_ScanEdge",
-                "Click on a visible cloud, near an edge: the edge is followed both ways until it "
-                "ends. Nothing needs to be selected before.",
-            ),
-        }
 
-    def IsActive(self) -> bool:
-        """With a document, and no other panel open."""
-        return FreeCAD.ActiveDocument is not None and not FreeCADGui.Control.activeDialog()
+def _open_panel(doc: Any) -> None:
+    """Open the panel, or say why it cannot work."""
+    view = FreeCADGui.ActiveDocument.ActiveView
+    from .scan_edge_panel import ScanEdgePanel, clouds_in
 
-    def Activated(self) -> None:
-        """Open the panel, or say why it cannot work."""
-        doc, view = FreeCAD.ActiveDocument, FreeCADGui.ActiveDocument.ActiveView
-        with problems_shown("Scan edge"):
-            from .scan_edge_panel import ScanEdgePanel, clouds_in
-
-            if not hasattr(view, "getSceneGraph"):
-                raise ValueError("Bring a 3D view to the front, then start again.")
-            if not clouds_in(doc):
-                raise ValueError(
-                    "This document shows no point cloud. Import one (EdgeScan → Import cloud), "
-                    "or make a hidden one visible."
-                )
-            FreeCADGui.Control.showDialog(ScanEdgePanel(doc, view))
+    if not hasattr(view, "getSceneGraph"):
+        raise ValueError(translate("Bring a 3D view to the front, then start again."))
+    if not clouds_in(doc):
+        raise ValueError(
+            translate(
+                "This document shows no point cloud. Import one (EdgeScan → Import cloud), or "
+                "make a hidden one visible."
+            )
+        )
+    FreeCADGui.Control.showDialog(ScanEdgePanel(doc, view))

@@ -6,48 +6,38 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-import FreeCAD
-import FreeCADGui
-
-from .icons import icon_path
-from .message import problems_shown
+from .command import Command
+from .obstacles import no_document
 from .recorded_step import run_as_one_step
+from .selected import selected_objects
 
 __all__ = ["SelectionCommand"]
 
 
-class SelectionCommand:
+class SelectionCommand(Command):
     """A command that selects nothing itself and has no panel.
 
     Parameters
     ----------
-    name : of the command and of its icon
-    title : menu text
-    tooltip : what it does, and what to select
+    name, title, tooltip, hint, obstacle : see `Command`
     line : gives the recorded line for the selected objects, or a ValueError that says what to
         select
     """
 
     def __init__(
-        self, name: str, title: str, tooltip: str, line: Callable[[list[Any]], str]
+        self,
+        name: str,
+        title: str,
+        tooltip: str,
+        hint: str,
+        line: Callable[[list[Any]], str],
+        obstacle: Callable[[], str] = no_document,
     ) -> None:
-        self.name, self.title, self.tooltip, self.line = name, title, tooltip, line
+        super().__init__(name, title, tooltip, hint, self._make, obstacle)
+        self._line = line
 
-    def GetResources(self) -> dict[str, str]:
-        """Icon, menu text and tooltip."""
-        return {
-            "Pixmap": icon_path(self.name),
-            "MenuText": self.title,
-            "ToolTip": self.tooltip,
-        }
+    def _make(self, doc: Any) -> None:
+        from .compute_beside import computing_beside
 
-    def IsActive(self) -> bool:
-        """With a document; what is to be selected is said when it is not."""
-        return FreeCAD.ActiveDocument is not None and not FreeCADGui.Control.activeDialog()
-
-    def Activated(self) -> None:
-        """Make the object."""
-        doc = FreeCAD.ActiveDocument
-        chosen = list(dict.fromkeys(FreeCADGui.Selection.getSelection(doc.Name)))
-        with problems_shown(self.title):
-            run_as_one_step(doc, self.title, [self.line(chosen)])
+        line = self._line(selected_objects(doc))
+        run_as_one_step(doc, self.title, [line], computing_beside(self.title))

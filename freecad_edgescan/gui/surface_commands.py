@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The commands for surfaces, sections, segments and deviation maps."""
+"""The commands for segments of clouds, surfaces fitted to them, and deviation maps."""
 
 from __future__ import annotations
 
@@ -7,66 +7,59 @@ from typing import Any
 
 import FreeCAD
 
-from .recorded_step import object_line
-from .selected_shapes import is_scanned_edge
+from .command import Command
+from .obstacles import no_cloud, no_cloud_or_shape, no_shape
+from .recorded_step import object_line, object_lines
+from .selected import clouds_of, shapes_of
 from .selection_command import SelectionCommand
+from .translation import translate
 
 __all__ = ["surface_commands"]
 
 QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 
 
-def surface_commands() -> dict[str, SelectionCommand]:
-    """All of them, by their names, in the order of the toolbar."""
-    commands = (
-        SelectionCommand(
-            "EdgeScan_CloudSection",
-            QT_TRANSLATE_NOOP("EdgeScan_CloudSection", "Profile of a cloud"),
-            QT_TRANSLATE_NOOP(
-                "EdgeScan_CloudSection",
-                "Cut a cloud across an edge and fit a line, arc or spline. Select the cloud and "
-                "the edge, and another edge to which the profile leads.",
-            ),
-            _section,
-        ),
-        SelectionCommand(
-            "EdgeScan_SweptSurface",
-            QT_TRANSLATE_NOOP("EdgeScan_SweptSurface", "Swept surface"),
-            QT_TRANSLATE_NOOP(
-                "EdgeScan_SweptSurface",
-                "Sweep profiles along one or two rails, fitted to a cloud. Select the rails, then "
-                "the profiles in order, and a cloud when there is one.",
-            ),
-            _swept,
-        ),
+def surface_commands() -> list[Command]:
+    """All of them, in the order of the toolbar."""
+    return [
         SelectionCommand(
             "EdgeScan_CloudSegment",
-            QT_TRANSLATE_NOOP("EdgeScan_CloudSegment", "Segment of a cloud"),
+            QT_TRANSLATE_NOOP("EdgeScan_CloudSegment", "Segment cloud"),
             QT_TRANSLATE_NOOP(
                 "EdgeScan_CloudSegment",
                 "Take the points near a surface as a cloud of their own. Select the cloud and the "
                 "surface.",
             ),
+            QT_TRANSLATE_NOOP("EdgeScan_CloudSegment", "Select a cloud and a surface"),
             lambda chosen: _of_cloud_and_surface(chosen, "make_cloud_segment"),
+            no_cloud_or_shape,
         ),
         SelectionCommand(
             "EdgeScan_FittedSurface",
-            QT_TRANSLATE_NOOP("EdgeScan_FittedSurface", "Fitted surface"),
+            QT_TRANSLATE_NOOP("EdgeScan_FittedSurface", "Fit surface"),
             QT_TRANSLATE_NOOP(
                 "EdgeScan_FittedSurface",
-                "Fit a surface to a cloud near another surface. Select the cloud and the surface.",
+                "Fit a surface to a cloud near another surface, between four edges, or round the "
+                "plane, cylinder, cone or sphere that the cloud lies on. Select the cloud, and the "
+                "surface or the four edges.",
             ),
-            lambda chosen: _of_cloud_and_surface(chosen, "make_fitted_surface"),
+            QT_TRANSLATE_NOOP(
+                "EdgeScan_FittedSurface", "Select a cloud, and a surface near it or four edges"
+            ),
+            _fitted,
+            no_cloud,
         ),
         SelectionCommand(
             "EdgeScan_ExtendSurface",
-            QT_TRANSLATE_NOOP("EdgeScan_ExtendSurface", "Extended surface"),
+            QT_TRANSLATE_NOOP("EdgeScan_ExtendSurface", "Extend surface"),
             QT_TRANSLATE_NOOP(
                 "EdgeScan_ExtendSurface",
                 "Make a surface longer over one of its sides. Select the surface; choose the side "
                 "in its properties.",
             ),
+            QT_TRANSLATE_NOOP("EdgeScan_ExtendSurface", "Select one surface"),
             _extended,
+            no_shape,
         ),
         SelectionCommand(
             "EdgeScan_IntersectSurfaces",
@@ -75,7 +68,23 @@ def surface_commands() -> dict[str, SelectionCommand]:
                 "EdgeScan_IntersectSurfaces",
                 "Find all curves in which two surfaces meet. Select two of them.",
             ),
+            QT_TRANSLATE_NOOP("EdgeScan_IntersectSurfaces", "Select two surfaces"),
             _intersection,
+            no_shape,
+        ),
+        SelectionCommand(
+            "EdgeScan_TrimmedShell",
+            QT_TRANSLATE_NOOP("EdgeScan_TrimmedShell", "Trim and sew surfaces"),
+            QT_TRANSLATE_NOOP(
+                "EdgeScan_TrimmedShell",
+                "Trim surfaces where they meet, drop what sticks out, and sew the rest into a "
+                "shell. Select the surfaces, and the edges at which they end.",
+            ),
+            QT_TRANSLATE_NOOP(
+                "EdgeScan_TrimmedShell", "Select surfaces, and the edges at which they end"
+            ),
+            _shell,
+            no_shape,
         ),
         SelectionCommand(
             "EdgeScan_DeviationMap",
@@ -85,70 +94,81 @@ def surface_commands() -> dict[str, SelectionCommand]:
                 "Show in colours how far a cloud is from a surface or part. Select the cloud and "
                 "the surface or part.",
             ),
+            QT_TRANSLATE_NOOP("EdgeScan_DeviationMap", "Select a cloud, and a surface or part"),
             lambda chosen: _of_cloud_and_surface(chosen, "make_deviation_map"),
+            no_cloud_or_shape,
         ),
-    )
-    return {command.name: command for command in commands}
-
-
-def _told_apart(chosen: list[Any]) -> tuple[list[Any], list[Any]]:
-    """The clouds and the shapes among the selected objects."""
-    clouds = [item for item in chosen if item.isDerivedFrom("Points::Feature")]
-    return clouds, [item for item in chosen if hasattr(item, "Shape")]
+    ]
 
 
 def _of_cloud_and_surface(chosen: list[Any], make: str) -> str:
-    clouds, shapes = _told_apart(chosen)
+    clouds, shapes = clouds_of(chosen), shapes_of(chosen)
     if len(clouds) != 1 or len(shapes) != 1:
         raise ValueError(
-            f"{len(clouds)} clouds and {len(shapes)} surfaces are selected. Select two objects: "
-            "one cloud and one surface."
+            translate(
+                "{clouds} clouds and {surfaces} surfaces are selected. Select two objects: one "
+                "cloud and one surface."
+            ).format(clouds=len(clouds), surfaces=len(shapes))
         )
     return f"document.{make}(doc, {object_line(clouds[0])}, {object_line(shapes[0])})"
 
 
-def _section(chosen: list[Any]) -> str:
-    clouds, shapes = _told_apart(chosen)
-    if len(clouds) != 1 or len(shapes) not in (1, 2):
+def _fitted(chosen: list[Any]) -> str:
+    clouds, (surfaces, edges) = clouds_of(chosen), _surfaces_and_edges(chosen)
+    if len(clouds) != 1 or (len(surfaces), len(edges)) not in ((1, 0), (0, 4), (0, 0)):
         raise ValueError(
-            f"{len(clouds)} clouds and {len(shapes)} edges are selected. Select two or three "
-            "objects: one cloud, the edge to cut across, and another edge if there is one."
+            translate(
+                "{clouds} clouds, {surfaces} surfaces and {edges} edges are selected. Select one "
+                "cloud, and with it one surface, or four edges, or nothing else."
+            ).format(clouds=len(clouds), surfaces=len(surfaces), edges=len(edges))
         )
-    cloud, rail = object_line(clouds[0]), object_line(shapes[0])
-    towards = f", towards={object_line(shapes[1])}" if len(shapes) == 2 else ""
-    return f"document.make_cloud_section(doc, {cloud}, {rail}{towards})"
-
-
-def _swept(chosen: list[Any]) -> str:
-    clouds, shapes = _told_apart(chosen)
-    scanned = [item for item in shapes if is_scanned_edge(item)]
-    rails = scanned if len(scanned) in (1, 2) else shapes[:2]
-    profiles = [item for item in shapes if item not in rails]
-    if not rails or not profiles or len(clouds) > 1:
-        raise ValueError(
-            f"{len(shapes)} curves and {len(clouds)} clouds are selected. Select two rails, two or "
-            "more profiles in order, and the cloud if there is one; or one rail that is a scanned "
-            "edge, and its profiles."
-        )
-    rail_list, profile_list = (
-        f"[{', '.join(object_line(item) for item in items)}]" for items in (rails, profiles)
-    )
-    cloud = f", {object_line(clouds[0])}" if clouds else ""
-    return f"document.make_swept_surface(doc, {rail_list}, {profile_list}{cloud})"
+    cloud = object_line(clouds[0])
+    if surfaces:
+        return f"document.make_fitted_surface(doc, {cloud}, {object_line(surfaces[0])})"
+    around = f", edges={object_lines(edges)}" if edges else ""
+    return f"document.make_fitted_surface(doc, {cloud}{around})"
 
 
 def _extended(chosen: list[Any]) -> str:
-    _, shapes = _told_apart(chosen)
+    shapes = shapes_of(chosen)
     if len(shapes) != 1:
         raise ValueError(
-            f"{len(shapes)} surfaces are selected. Select one, not two or none, to extend it."
+            translate(
+                "{count} surfaces are selected. Select one, not two or none, to extend it."
+            ).format(count=len(shapes))
         )
     return f"document.make_extended_surface(doc, {object_line(shapes[0])}, 'u1')"
 
 
+def _shell(chosen: list[Any]) -> str:
+    surfaces, edges = _surfaces_and_edges(chosen)
+    if not surfaces:
+        raise ValueError(
+            translate(
+                "{edges} edges and no surface are selected. Select the surfaces of a shell, and "
+                "the edges at which they end."
+            ).format(edges=len(edges))
+        )
+    at = f", {object_lines(edges)}" if edges else ""
+    return f"document.make_trimmed_shell(doc, {object_lines(surfaces)}{at})"
+
+
 def _intersection(chosen: list[Any]) -> str:
-    _, shapes = _told_apart(chosen)
+    shapes = shapes_of(chosen)
     if len(shapes) != 2:
-        raise ValueError(f"{len(shapes)} surfaces are selected. Select two that meet.")
+        raise ValueError(
+            translate("{count} surfaces are selected. Select two that meet.").format(
+                count=len(shapes)
+            )
+        )
     first, second = (object_line(item) for item in shapes)
     return f"document.make_surface_intersection(doc, {first}, {second})"
+
+
+def _surfaces_and_edges(chosen: list[Any]) -> tuple[list[Any], list[Any]]:
+    """What has faces, and what has a shape without."""
+    shapes = shapes_of(chosen)
+    return (
+        [item for item in shapes if item.Shape.Faces],
+        [item for item in shapes if not item.Shape.Faces],
+    )

@@ -26,10 +26,15 @@ _HOME_OF = {
             "SurfaceIntersectionProxy",
             "CloudSegmentProxy",
             "CloudSectionProxy",
-            "DeviationMapProxy",
+            "TrimmedShellProxy",
+            "SimulatedCloudProxy",
+            "ThinnedCloudProxy",
+            "CompensatedCloudProxy",
+            "ScannedBoundaryProxy",
         ),
         ("computed_view", "ViewProviderComputed"),
     ),
+    "DeviationMapProxy": ("deviation_map_view", "ViewProviderDeviationMap"),
 }
 
 _watching: list[Any] = []

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..geometry.frames import cross
+from ..geometry.frames import cross, unit
 from .section import Frames
 from .side_fit import SideFits
 
@@ -62,6 +62,12 @@ def turned_covariance(covariance: np.ndarray, before: np.ndarray, after: np.ndar
     return np.einsum("mab,mbc,mdc->mad", turn, covariance, turn)
 
 
+def largest_sigma(covariance: np.ndarray) -> np.ndarray:
+    """Standard deviation in the worst direction, (m,) mm, of (m, 2, 2) mm²."""
+    a, b, d = covariance[:, 0, 0], covariance[:, 0, 1], covariance[:, 1, 1]
+    return np.sqrt(np.maximum(0.5 * (a + d) + np.hypot(0.5 * (a - d), b), 0.0))
+
+
 def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) -> Corners:
     """Intersect the two sides of each section.
 
@@ -82,18 +88,7 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
         value, gradient, slope = _section_distance(c, along_side, along_normal, shift)
         target = distance * np.sqrt(1.0 + slope**2)
         missing = value - target
-        determinant = gradient[:, 0, 0] * gradient[:, 1, 1] - gradient[:, 0, 1] * gradient[:, 1, 0]
-        determinant = np.where(np.abs(determinant) < 1e-6, 1e-6, determinant)
-        step = (
-            np.stack(
-                [
-                    gradient[:, 1, 1] * missing[:, 0] - gradient[:, 0, 1] * missing[:, 1],
-                    gradient[:, 0, 0] * missing[:, 1] - gradient[:, 1, 0] * missing[:, 0],
-                ],
-                axis=-1,
-            )
-            / determinant[:, None]
-        )
+        step = np.einsum("mab,mb->ma", _inverse_2x2(gradient), missing)
         step = np.maximum(np.minimum(step, 0.5), -0.5)
         shift = np.maximum(np.minimum(shift - step, 3.0), -3.0)
         if np.max(np.abs(step), initial=0.0) < 1e-10:
@@ -102,8 +97,7 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
     found = np.all(np.abs(value - distance * np.sqrt(1.0 + slope**2)) < 1e-6, axis=1)
     point = frames.origin + np.einsum("ma,mai->mi", shift, axes) * reach
     flat = np.einsum("mka,mai->mki", gradient, axes)
-    normals = flat - slope[..., None] * frames.tangent[:, None]
-    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    normals = unit(flat - slope[..., None] * frames.tangent[:, None])
     tangent = cross(normals[:, 0], normals[:, 1])
     tangent *= np.sign(np.einsum("mi,mi->m", tangent, frames.tangent))[:, None]
     size = np.linalg.norm(tangent, axis=-1, keepdims=True)
@@ -165,5 +159,6 @@ def _variance_at(
 def _inverse_2x2(matrix: np.ndarray) -> np.ndarray:
     a, b, c, d = matrix[:, 0, 0], matrix[:, 0, 1], matrix[:, 1, 0], matrix[:, 1, 1]
     determinant = a * d - b * c
-    determinant = np.where(np.abs(determinant) < 1e-6, 1e-6, determinant)
-    return np.stack([np.stack([d, -b], -1), np.stack([-c, a], -1)], -2) / determinant[:, None, None]
+    inverse = np.empty_like(matrix)
+    inverse[:, 0, 0], inverse[:, 0, 1], inverse[:, 1, 0], inverse[:, 1, 1] = d, -b, -c, a
+    return inverse / np.where(np.abs(determinant) < 1e-6, 1e-6, determinant)[:, None, None]

@@ -8,6 +8,7 @@ from typing import Protocol
 
 import numpy as np
 
+from ..geometry.place_text import place_text
 from .errors import ScanError
 from .section import Station
 from .start import Gate, Start, numbers
@@ -106,7 +107,8 @@ def make_gate(
     away = float(np.linalg.norm(point - first.frame.origin[0]))
     if away < 2.0 * edge_pitch:
         raise ScanError(
-            f"The gate at ({_text(point)}) is {away:.3g} mm from where the walk begins; give one "
+            f"The gate at ({place_text(point)}) is {away:.3g} mm from where the walk "
+            "begins; give one "
             f"at least {2.0 * edge_pitch:.3g} mm away, or none."
         )
     return PointGate(point, reach)
@@ -128,11 +130,7 @@ def _check_ahead(start: Start | None, point: np.ndarray, reach: float) -> None:
     way = point - start.point
     if way @ start.along < 0 and np.linalg.norm(way) < 4.0 * reach:
         raise ScanError(
-            f"The gate at ({_text(point)}) lies {-float(way @ start.along):.3g} mm behind the "
+            f"The gate at ({place_text(point)}) lies {-float(way @ start.along):.3g} mm behind the "
             "start, against the direction of the walk; turn the start's direction along the edge "
             "round, or move the gate."
         )
-
-
-def _text(point: np.ndarray) -> str:
-    return ", ".join(f"{value:.4g}" for value in point)

@@ -11,6 +11,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -39,7 +40,7 @@ _NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
 _SUPPLIED = 3  # points of a side below which a section bridges a gap
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 # Ends at which the sides go on.
-_GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
+GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
 _MOSTLY, _SOME = 0.5, 0.05  # shares of the sections
 _BESIDE = 11  # sections whose roundings are alike
 _MOST_ROUNDED = 0.6  # of a side
@@ -58,6 +59,7 @@ class Measured:
     fits : the sides
     noise : (m, 2) standard deviation of the points about the sides, mm
     half_length : (m,) how far along the edge, to both sides, the points of a fit reach, mm
+    asked : sections on each side that most of them ask about their sides' curvature
     supplied : (m,) whether both sides have points in the section itself
     at : (m,) places of the sections along the edge, mm
     extent : places along the edge between which both sides have points, mm
@@ -69,6 +71,7 @@ class Measured:
     fits: SideFits
     noise: np.ndarray
     half_length: np.ndarray
+    asked: int
     supplied: np.ndarray
     at: np.ndarray
     extent: tuple[float, float]
@@ -125,13 +128,8 @@ def _measure(
 ) -> Measured:
     """Fit every section on those points (n,) bool that are the sides', where these are smooth."""
     own = sum_stretches(evened_moments(points[used], path, settings), pooled.stretch)
-    fits, borrowed_from = _supplied_fits(
-        own,
-        pooled,
-        shared_curvature(pooled, path, settings.half_width),
-        path,
-        settings.half_width,
-    )
+    *curvature, asked = shared_curvature(pooled, path, settings.half_width)
+    fits, borrowed_from = _supplied_fits(own, pooled, curvature, path, settings.half_width)
     removed = ~used | ~_in_stretch(points, fits)
     local = np.sqrt(pooled.variance) * pooled.reach
     supplied = np.all(own[..., 0] >= _SUPPLIED, axis=1)
@@ -142,6 +140,7 @@ def _measure(
         fits,
         local,
         settings.half_width + borrowed_from * path.spacing,
+        asked,
         supplied,
         path.at,
         extent,
@@ -181,7 +180,7 @@ def _strip(
     # cloud ends they may still, and only those that are clearly on the sides are taken.
     clear = [settings.cloud_pitch * (end is Stop.CORNER) for end in path.ends]
     plausible &= (place >= first + clear[0]) & (place <= last - clear[1])
-    clear = [settings.cloud_pitch * (end not in _GIVEN_ENDS) for end in path.ends]
+    clear = [settings.cloud_pitch * (end not in GIVEN_ENDS) for end in path.ends]
     inside = (place >= first + clear[0]) & (place <= last - clear[1])
     plausible &= inside | _plausible(path.frames, points, settings, noise, _SURELY)
     return points, plausible, extent
@@ -190,7 +189,7 @@ def _strip(
 def _supplied_fits(
     own: np.ndarray,
     pooled: SideFits,
-    curvature: tuple[np.ndarray, np.ndarray],
+    curvature: Sequence[np.ndarray],
     path: EdgePath,
     half_width: float,
 ) -> tuple[SideFits, np.ndarray]:
@@ -252,7 +251,7 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
     place = path.at[points.owner] + points.along
     extent = [-np.inf, np.inf]
     for k, end in enumerate(path.ends):
-        if end in _GIVEN_ENDS:
+        if end in GIVEN_ENDS:
             continue
         near = points.away < (_NEAR_END * cloud_pitch if end is Stop.CORNER else np.inf)
         sides = [np.sort(place[near & (points.side == side)]) for side in range(2)]

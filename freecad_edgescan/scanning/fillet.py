@@ -47,9 +47,17 @@ def rounding_radius(
     inward = corner.sides.sum(axis=1)
     inward /= np.maximum(np.linalg.norm(inward, axis=1, keepdims=True), 1e-12)
     aside = np.cross(frames.tangent, inward)
+    # A point that lies in several slabs is one measurement.
+    repeated = len(points.index) / max(len(np.unique(points.index)), 1)
+    sine, cosine = np.sin(half), np.cos(half)
+    largest = (1.3 * begins.max(axis=1) + 2.0 * cloud_pitch) * sine / cosine
+    deepest = largest * (1.0 / sine - 1.0) + cloud_pitch
+    # Most points lie farther from the edge than any rounding reaches.
+    foot = np.einsum("mki,mi->mk", frames.sides, corner.point - frames.origin)
+    widest = (np.maximum(largest, cloud_pitch) / sine + cloud_pitch)[:, None] + foot
+    points = points[points.away < widest[points.owner, points.side]]
     owner = points.owner
     # Sides are straightened first, and the rounding with them: 1/ρ becomes 1/ρ + curvature.
-    foot = np.einsum("mki,mi->mk", frames.sides, corner.point - frames.origin)
     bow = 0.5 * curvature[owner, points.side] * (points.away - foot[owner, points.side]) ** 2
     at = (
         points.away[:, None] * frames.sides[owner, points.side]
@@ -66,10 +74,7 @@ def rounding_radius(
             return summed
         return convolve1d(summed, np.ones(2 * reach + 1), mode=mode, cval=0.0)
 
-    sine, cosine = np.sin(half), np.cos(half)
     # The gap between the edge and the rounding's top gives the first radius.
-    largest = (1.3 * begins.max(axis=1) + 2.0 * cloud_pitch) * sine / cosine
-    deepest = largest * (1.0 / sine - 1.0) + cloud_pitch
     top = (np.abs(width) < cloud_pitch) & (np.abs(depth) < deepest[owner])
     gap = pool(depth * top) / np.maximum(pool(1.0 * top), 1.0)
     radius = np.maximum(gap, 0.0) / np.maximum(1.0 / sine - 1.0, 1e-3)
@@ -93,8 +98,6 @@ def rounding_radius(
     used &= np.abs(residual) < 4.0 * noise[owner] + 0.25 * own
     sharp = np.abs(depth * sine[owner] - np.abs(width) * cosine[owner])
     gained = pool((sharp**2 - residual**2) / np.maximum(noise[owner], 1e-12) ** 2 * used)
-    # A point that lies in several slabs is one measurement.
-    repeated = len(points.index) / max(len(np.unique(points.index)), 1)
     with np.errstate(divide="ignore", invalid="ignore"):
         sigma = noise / np.sqrt(information / repeated)
     # An edge point that is off along the bisector looks like another radius; neighbours share

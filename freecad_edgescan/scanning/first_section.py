@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
+from ..geometry.place_text import place_text
 from .automatic import Chosen
 from .errors import ScanError
 from .parameters import ScanParameters
@@ -42,8 +43,10 @@ def place_to_look(cloud: PointCloud, at: Point | Start, parameters: ScanParamete
     if distance > farthest:
         low, high = cloud.bounds
         raise ScanError(
-            f"The place ({_text(wanted)}) is {distance:.3g} mm away from the nearest point of the "
-            f"cloud, which reaches from ({_text(low)}) to ({_text(high)}); choose a place on it."
+            f"The place ({place_text(wanted)}) is {distance:.3g} mm away from the nearest "
+            "point of the "
+            f"cloud, which reaches from ({place_text(low)}) to ({place_text(high)}); choose "
+            "a place on it."
         )
     return cloud.points[index] if isinstance(at, Start) else wanted
 
@@ -72,7 +75,7 @@ def first_section(cloud: PointCloud, near: np.ndarray, start: Start | None, chos
         gap = float(np.linalg.norm(other.station.frame.origin[0] - near))
         if gap < _CLOSE_CLICK * settings.cloud_pitch:
             return other
-    message = f"There is no edge within reach of ({_text(near)})"
+    message = f"There is no edge within reach of ({place_text(near)})"
     if other is None:
         raise ScanError(
             f"{message}: the surface is smooth for {_LOOK_AROUND * settings.cloud_pitch:.3g} mm "
@@ -81,9 +84,5 @@ def first_section(cloud: PointCloud, near: np.ndarray, start: Start | None, chos
     place = other.station.frame.origin[0]
     raise ScanError(
         f"{message}: the surface is smooth there. The nearest edge found is "
-        f"{np.linalg.norm(place - near):.3g} mm away, at ({_text(place)})."
+        f"{np.linalg.norm(place - near):.3g} mm away, at ({place_text(place)})."
     )
-
-
-def _text(point: np.ndarray) -> str:
-    return ", ".join(f"{value:.4g}" for value in point)

@@ -9,16 +9,21 @@ from typing import Protocol
 
 import numpy as np
 
-from ..geometry.frames import turned_along
+from ..geometry.frames import turned_along, unit
 from .section import Frames, Section, Station, frames_from_sides
 from .stop import Stop
 
 _SHORTEST_STEP = 0.25  # of the edge pitch
+_SHORTER = 0.5 ** np.arange(1, 8)  # of a step that failed
 _MOST_BENT = 0.25  # rad, turn of the edge in one step
 _TIGHT_TURNS = (0.3, 0.6)  # rad, tried in half an edge pitch where the edge seems to end
 _LARGEST_TURN = 0.35  # rad, of tangent or sides between two edge points beyond what was predicted
 _TANGENT_GAIN = 0.5  # how much of a tangent's innovation is believed
 _BEND_GAIN = 0.15  # how much of it is put down to a change of bend
+_EXPECTED = 0.02  # of a step, or half of a turn in rad, up to which an edge runs on as predicted
+_RAN_ON = 3  # stations in a row after which it is expected to
+_AHEAD = 6  # stations that are then measured at once
+_MOST_TURNED = 0.8  # rad, turn of the edge up to the last of them
 
 
 class Gait(Protocol):
@@ -34,8 +39,8 @@ class Gait(Protocol):
         """Largest distance of two following edge points, mm."""
         ...
 
-    def stride(self, section: Section, stations: Sequence[Station]) -> Station:
-        """Measure the next station; one with a stop when the edge cannot be followed further.
+    def stride(self, section: Section, stations: Sequence[Station]) -> list[Station]:
+        """Measure the next stations, at least one; where the edge ends, one with a stop.
 
         Parameters
         ----------
@@ -60,34 +65,78 @@ class AdaptiveGait:
     half_width: float
     longest_step: float
 
-    def stride(self, section: Section, stations: Sequence[Station]) -> Station:
+    def stride(self, section: Section, stations: Sequence[Station]) -> list[Station]:
         """Step on; where that fails, in shorter steps, and round a bend at last."""
         last, pitch = stations[-1], self.edge_pitch
         step = min(1.5 * last.step, self.longest_step) if np.isfinite(last.step) else pitch
         step = min(step, max(_MOST_BENT / _bend(last), _SHORTEST_STEP * pitch))
-        while True:
-            predicted = predict(last.frame, step)
-            width = self.half_width * float(np.clip(step / pitch, 0.6, 1.0))
-            measured = section.measure(predicted, width, last)
-            stop = measured.stop or jumped(last, predicted, measured, step)
-            if stop is None:
-                return _steered(last, predicted, measured, step)
-            if 0.5 * step < _SHORTEST_STEP * pitch:
-                break
-            step *= 0.5
+        most = int(np.clip(_MOST_TURNED / (step * _bend(last)), 1, _AHEAD))
+        found, stop = self._run_on(section, last, step, most if _as_expected(stations) else 1)
+        if found:
+            return found
+        shorter = step * _SHORTER[step * _SHORTER >= _SHORTEST_STEP * pitch]
+        if len(shorter):
+            predicted = predict(last.frame, shorter)
+            measured = section.measure(predicted, self._widths(shorter), last)
+            for k, each in enumerate(shorter):
+                stop = measured[k].stop or jumped(last, predicted[k], measured[k], each)
+                if stop is None:
+                    return [_steered(last, predicted[k], measured[k], each)]
         bent = _round_a_bend(section, last, 0.5 * pitch, self.half_width)
-        return replace(last, stop=section.ending(last, stop)) if bent is None else bent
+        if bent is not None:
+            return [bent]
+        return [replace(last, stop=section.ending(last, stop or Stop.LOST))]
+
+    def _run_on(
+        self, section: Section, last: Station, step: float, count: int
+    ) -> tuple[list[Station], Stop | None]:
+        """Measure the next stations together, and believe them as far as they are as expected.
+
+        The first one may be surprising; those behind it were looked for without knowing it.
+
+        Returns
+        -------
+        the stations; if there is none, why
+        """
+        ahead = predict(last.frame, step * np.arange(1, count + 1))
+        widths = self._widths(np.full(count, step))
+        found: list[Station] = []
+        for k, measured in enumerate(section.measure(ahead, widths, last)):
+            predicted = predict(last.frame, step)
+            stop = measured.stop or jumped(last, predicted, measured, step)
+            if stop is not None:
+                return found, stop
+            if found and _surprise(last, ahead[k], measured, step) > _EXPECTED:
+                break
+            last = _steered(last, predicted, measured, step)
+            found.append(last)
+        return found, None
+
+    def _widths(self, steps: np.ndarray) -> np.ndarray:
+        """Half the width of the slab at the end of each step, mm."""
+        return self.half_width * np.clip(steps / self.edge_pitch, 0.6, 1.0)
 
 
-def predict(frame: Frames, step: float) -> Frames:
-    """The section one step further, on the osculating circle of the edge."""
+def predict(frame: Frames, step: float | np.ndarray) -> Frames:
+    """The sections one or several steps further, on the osculating circle of the edge.
+
+    Parameters
+    ----------
+    frame : one section, or m
+    step : mm, one, or (m,) for each section, or of one section
+    """
     tangent, bend = frame.tangent, frame.bend
-    origin = frame.origin + step * tangent + 0.5 * step**2 * bend
-    ahead = tangent + step * bend
-    ahead = ahead / np.linalg.norm(ahead, axis=-1, keepdims=True)
-    turned = turned_along(frame.sides, tangent, ahead)
-    onward = bend - np.einsum("mi,mi->m", bend, ahead)[:, None] * ahead
-    return frames_from_sides(origin, ahead, turned, onward, frame.curvature)
+    step = np.reshape(step, (-1, 1))
+    kappa = np.sqrt(np.einsum("mi,mi->m", bend, bend))[:, None]
+    half = np.sinc(0.5 * step * kappa / np.pi)
+    cosine, sine = np.cos(step * kappa), step * np.sinc(step * kappa / np.pi)
+    origin = frame.origin + sine * tangent + 0.5 * np.square(step * half) * bend
+    ahead = cosine * tangent + sine * bend
+    onward = cosine * bend - kappa**2 * sine * tangent
+    tangent = np.broadcast_to(tangent, ahead.shape)
+    sides = np.broadcast_to(frame.sides, (len(ahead), 2, 3))
+    curvature = np.broadcast_to(frame.curvature, (len(ahead), 2))
+    return frames_from_sides(origin, ahead, turned_along(sides, tangent, ahead), onward, curvature)
 
 
 def reversed_frame(frame: Frames) -> Frames:
@@ -105,21 +154,30 @@ def _round_a_bend(
     """
     frame = last.frame
     ways = np.concatenate([frame.sides[0], -frame.sides[0]])
-    for turn in _TIGHT_TURNS:
-        for way in ways:
-            bent = replace(frame, bend=(turn / step) * way[None])
-            predicted = predict(bent, step)
-            measured = section.measure(predicted, 0.6 * half_width, last)
-            if measured.stop or jumped(last, predicted, measured, step):
-                continue
-            if measured.sigma > 2.0 * max(last.sigma, measured.noise):
-                continue
-            station = _steered(last, predicted, measured, step)
-            onward = predict(station.frame, step)
-            after = section.measure(onward, 0.6 * half_width, station)
-            if not (after.stop or jumped(station, onward, after, step)):
-                return station
+    bends = [(turn / step) * way[None] for turn in _TIGHT_TURNS for way in ways]
+    predicted = Frames.join([predict(replace(frame, bend=bend), step) for bend in bends])
+    widths = np.full(len(bends), 0.6 * half_width)
+    found = []
+    for k, measured in enumerate(section.measure(predicted, widths, last)):
+        if measured.stop or jumped(last, predicted[k], measured, step):
+            continue
+        if measured.sigma <= 2.0 * max(last.sigma, measured.noise):
+            found.append(_steered(last, predicted[k], measured, step))
+    if not found:
+        return None
+    onward = Frames.join([predict(station.frame, step) for station in found])
+    after = section.measure(onward, widths[: len(found)], found[0])
+    for k, station in enumerate(found):
+        if not (after[k].stop or jumped(station, onward[k], after[k], step)):
+            return station
     return None
+
+
+def _as_expected(stations: Sequence[Station]) -> bool:
+    """Whether the last edge points were where they had been predicted."""
+    return len(stations) > _RAN_ON and all(
+        station.surprise <= _EXPECTED for station in stations[-_RAN_ON:]
+    )
 
 
 def _bend(station: Station) -> float:
@@ -129,10 +187,7 @@ def _bend(station: Station) -> float:
 def jumped(last: Station, predicted: Frames, measured: Station, step: float) -> Stop | None:
     """Whether the measured section cannot be the predicted edge."""
     frame = measured.frame
-    aside = frame.origin[0] - predicted.origin[0]
-    aside = aside - (aside @ predicted.tangent[0]) * predicted.tangent[0]
-    known = min(measured.sigma, 3.0 * last.sigma)
-    if np.linalg.norm(aside) > 0.35 * step + 4.0 * known:
+    if _aside(last, predicted, measured, 4.0) > 0.35 * step:
         return Stop.LOST
     cosine = float(frame.tangent[0] @ predicted.tangent[0])
     for k in range(2):
@@ -140,23 +195,35 @@ def jumped(last: Station, predicted: Frames, measured: Station, step: float) -> 
     return Stop.CORNER if cosine < np.cos(_LARGEST_TURN) else None
 
 
+def _surprise(last: Station, predicted: Frames, measured: Station, step: float) -> float:
+    """How far a section is beside the prediction in steps, or half its turn in rad if larger."""
+    turned = 1.0 - np.einsum("mki,mki->mk", measured.frame.sides, predicted.sides).min()
+    aside = _aside(last, predicted, measured, 2.0) / step
+    return max(aside, float(np.sqrt(0.5 * max(turned, 0.0))))
+
+
+def _aside(last: Station, predicted: Frames, measured: Station, sigmas: float) -> float:
+    """How far the measured edge point is beside the prediction beyond some of its sigmas, mm."""
+    aside = measured.frame.origin[0] - predicted.origin[0]
+    aside = aside - (aside @ predicted.tangent[0]) * predicted.tangent[0]
+    known = min(measured.sigma, 3.0 * last.sigma)
+    return float(np.sqrt(aside @ aside)) - sigmas * known
+
+
 def _steered(last: Station, predicted: Frames, measured: Station, step: float) -> Station:
     """The measured station with tangent and bend smoothed by what the walk already knows."""
     frame = measured.frame
-    chord = frame.origin - last.frame.origin
-    chord = chord / np.linalg.norm(chord, axis=-1, keepdims=True)
+    chord = unit(frame.origin - last.frame.origin)
     # The chord ends half a step of bend behind the tangent; it knows the direction well where
     # the section's own tangent, read off a narrow slab, is noisy.
-    chord_tangent = chord + 0.5 * step * predicted.bend
-    seen = frame.tangent + chord_tangent / np.linalg.norm(chord_tangent, axis=-1, keepdims=True)
-    seen = seen / np.linalg.norm(seen, axis=-1, keepdims=True)
-    surprise = seen - predicted.tangent
-    size = float(np.linalg.norm(surprise))
+    seen = unit(frame.tangent + unit(chord + 0.5 * step * predicted.bend))
+    innovation = seen - predicted.tangent
+    size = float(np.linalg.norm(innovation))
     gain = _TANGENT_GAIN if size < 0.1 else min(1.0, _TANGENT_GAIN * size / 0.1)
-    tangent = predicted.tangent + gain * surprise
-    bend = predicted.bend + (_BEND_GAIN if size < 0.1 else 0.4) * surprise / step
-    tangent = tangent / np.linalg.norm(tangent, axis=-1, keepdims=True)
+    tangent = unit(predicted.tangent + gain * innovation)
+    bend = predicted.bend + (_BEND_GAIN if size < 0.1 else 0.4) * innovation / step
     bend = bend - np.einsum("mi,mi->m", bend, tangent)[:, None] * tangent
     curvature = 0.7 * predicted.curvature + 0.3 * frame.curvature
     steered = frames_from_sides(frame.origin, tangent, frame.sides, bend, curvature)
-    return replace(measured, frame=steered, step=step)
+    surprise = _surprise(last, predicted, measured, step)
+    return replace(measured, frame=steered, step=step, surprise=surprise)

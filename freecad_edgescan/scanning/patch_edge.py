@@ -11,11 +11,11 @@ from ..cloud.point_cloud import PointCloud
 from ..geometry import Line, simplest_curve
 from .air import convex_by_approach, convex_by_rounding
 from .automatic import Chosen
-from .corner import turned_covariance
+from .corner import largest_sigma, turned_covariance
 from .edge_ends import Vertices, corners_at, vertices_of, walked_to_vertices
 from .edge_gate import EdgeGate, until
 from .edge_path import path_along
-from .edge_points import Measured, measure_together
+from .edge_points import GIVEN_ENDS, Measured, measure_together
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge, Vertex
 from .section import SectionPoints, frames_from_sides
@@ -68,9 +68,14 @@ def finish_edge(
     edge = measured.corners(-probe if convex else probe) if probe else seen
     fillet, sigma = _fillet(rounding, rounding_sigma, probe, convex)
     # The path knows the edge's direction from all its points, a section only from its own.
-    straight = simplest_curve(edge.point, _largest(edge.covariance), trace.closed)
+    straight = simplest_curve(edge.point, largest_sigma(edge.covariance), trace.closed)
     smooth = smoothed(
-        measured, edge, settings.cloud_pitch, trace.closed, isinstance(straight, Line)
+        measured,
+        edge,
+        settings.cloud_pitch,
+        trace.closed,
+        isinstance(straight, Line),
+        (trace.stops[0] not in GIVEN_ENDS, trace.stops[1] not in GIVEN_ENDS),
     )
     standing = frames_from_sides(smooth.point, frames.tangent, edge.sides)
     normals = -standing.normals if convex is False else standing.normals
@@ -116,11 +121,6 @@ def _cut_at(vertices: Vertices, measured: Measured) -> Measured:
     if len(kept) < 3:
         return measured
     return select_sections(measured, slice(kept[0], kept[-1] + 1))
-
-
-def _largest(covariance: np.ndarray) -> np.ndarray:
-    """Standard deviation in the worst direction, (m,) mm."""
-    return np.sqrt(np.maximum(np.linalg.eigvalsh(covariance)[..., -1], 0.0))
 
 
 def _stated(vertex: FoundVertex | None) -> Vertex | None:

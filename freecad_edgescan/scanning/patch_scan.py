@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
+from ..geometry.place_text import place_text
 from .automatic import Chosen, choose_parameters
 from .edge_gate import LineGate, PointGate, heading_for, make_gate
 from .errors import ScanError
@@ -35,7 +36,7 @@ __all__ = ["FEWEST_POINTS", "check_edge", "scan_with_patches"]
 
 Point = Sequence[float] | np.ndarray
 _BESIDE = 1.2  # pitches: what an edge may be off its points besides where its sides begin
-_CAREFUL = 0.7  # edge pitches, of a step where an edge seems to end
+_CURLED, _BESIDE_CURLED = 0.5, 0.8  # rad by which both sides curl, and what it may be off then
 FEWEST_POINTS = 3  # edge points that make an edge
 
 
@@ -69,7 +70,7 @@ def scan_with_patches(
         if len(edge) >= FEWEST_POINTS or Stop.CANCELLED in trace.stops:
             return replace(edge, message=describe(edge, gate))
     raise ScanError(
-        f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
+        f"The edge found at ({place_text(first.frame.origin[0])}) cannot be followed: the walk "
         f"{trace.stops[1].value} within two steps. Click farther from its ends, or give a "
         "larger amplitude."
     )
@@ -85,8 +86,7 @@ def _trace(
     settings = section.settings
     gait = AdaptiveGait(settings.edge_pitch, settings.half_width, settings.longest_step)
     if arrived is None and start is None:
-        careful = replace(gait, longest_step=_CAREFUL * settings.edge_pitch)
-        return trace_both_ways(section, first, gait, progress, careful)
+        return trace_both_ways(section, first, gait, progress)
     if arrived is not None and start is None:
         first = heading_for(first, arrived)
     return trace_one_way(section, first, gait, arrived, progress)
@@ -109,7 +109,7 @@ def _check_known(edge: ScannedEdge, chosen: Chosen) -> None:
     pitch = chosen.settings.cloud_pitch
     if sigma > pitch:
         raise ScanError(
-            f"What meets near ({_text(edge.points[len(edge) // 2])}) is known only to "
+            f"What meets near ({place_text(edge.points[len(edge) // 2])}) is known only to "
             f"{sigma:.3g} mm (one sigma), worse than the cloud's pitch of {pitch:.3g} mm: the "
             "sides are too narrow, too curved or too noisy. Click elsewhere, or scan denser."
         )
@@ -123,18 +123,21 @@ def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
     """
     if not len(edge) or not isinstance(edge.scan_lines, ScanLines):
         return
-    away = float(np.median(edge.overhang))
-    begins = float(np.median(edge.scan_lines.fits.begins.min(axis=1)))
+    fits, away = edge.scan_lines.fits, float(np.median(edge.overhang))
+    begins = float(np.median(fits.begins.min(axis=1)))
     middle = edge.points[len(edge) // 2]
     beside = cloud.points[cloud.tree.query(middle)[1]]
-    if away > begins + _BESIDE * float(cloud.local_pitch(beside[None])[0, 0]):
+    pitch = float(cloud.local_pitch(beside[None])[0, 0])
+    # Sides that curl towards each other have no edge but under a rounding that touches both.
+    half = 0.5 * float(np.median(edge.angle))
+    rounded = float(np.median(fits.begins.max(axis=1))) * (1.0 - np.sin(half)) / np.cos(half)
+    curl = np.abs(fits.coefficients[..., 2]) * (fits.ends - fits.begins) / fits.reach
+    curled = float(np.median(curl.sum(axis=1))) > _CURLED
+    if away > begins + _BESIDE * pitch or (curled and away > rounded + _BESIDE_CURLED * pitch):
         raise ScanError(
-            f"The sides near ({_text(middle)}) come together {away:.3g} mm outside the points, "
+            f"The sides near ({place_text(middle)}) come together {away:.3g} mm outside the "
+            "points, "
             f"although they begin {begins:.2g} mm from there: they are the two faces of something "
             "too thin for this pitch, and have no edge there. An edge needs sides of four pitches; "
             "click on a wider one, or scan denser."
         )
-
-
-def _text(point: np.ndarray) -> str:
-    return ", ".join(f"{value:.4g}" for value in point)

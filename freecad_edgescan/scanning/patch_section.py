@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
-from .corner import Corners, corners
+from .corner import Corners, corners, largest_sigma
 from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
 from .side_fit import SideFits, block_counts, block_moments, choose_stretches, without_crowds
 from .stop import Stop
@@ -72,118 +72,154 @@ class PatchSection:
         self.cloud = cloud
         self.settings = settings
 
-    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
-        """Measure one edge point in the slab around a predicted section.
+    def measure(self, predicted: Frames, half_width: np.ndarray, last: Station) -> list[Station]:
+        """Measure an edge point in the slab around each predicted section.
 
-        Where the slab holds too few points to know the edge well, a wider one is tried.
+        Where a slab holds too few points to know the edge well, a wider one is tried.
         """
-        widest = _MOST_BENT / max(float(np.linalg.norm(predicted.bend)), 1e-12)
-        best = self.settle(predicted, min(half_width, max(widest, self.settings.cloud_pitch)))
+        pitch = self.settings.cloud_pitch
+        widest = _MOST_BENT / np.maximum(np.linalg.norm(predicted.bend, axis=1), 1e-12)
+        best = self.settle(predicted, np.minimum(half_width, np.maximum(widest, pitch)))
+        known = self.settings.noise + 0.05 * pitch
         for wider in _WIDER:
-            known = self.settings.noise + 0.05 * self.settings.cloud_pitch
-            if (best.stop is None and best.sigma < known) or wider * half_width > widest:
+            doubtful = np.array([s.stop is not None or s.sigma >= known for s in best])
+            which = np.flatnonzero(doubtful & (wider * half_width <= widest))
+            if not len(which):
                 break
-            other = self.settle(predicted, wider * half_width)
-            if other.stop is None and (best.stop is not None or other.sigma < 0.7 * best.sigma):
-                best = other
+            others = self.settle(predicted[which], wider * half_width[which])
+            for k, other in zip(which, others, strict=True):
+                if other.stop is None and (
+                    best[k].stop is not None or other.sigma < 0.7 * best[k].sigma
+                ):
+                    best[k] = other
         return best
 
-    def settle(self, predicted: Frames, half_width: float) -> Station:
-        """Measure in one slab, and again from what was found while the section still turns."""
-        frame = predicted
-        for _ in range(_MEASUREMENTS):
-            station = self._measure_once(frame, half_width)
-            if station.stop is not None:
-                return station
-            turned = np.einsum("mki,mki->mk", station.frame.sides, frame.sides).min()
-            moved = float(np.linalg.norm(station.frame.origin - frame.origin))
-            frame = station.frame
-            if turned > np.cos(_REMEASURE_TURN) and moved < self.settings.cloud_pitch:
+    def settle(self, predicted: Frames, half_width: np.ndarray) -> list[Station]:
+        """Measure in one slab each, and again from what was found while a section still turns.
+
+        Parameters
+        ----------
+        half_width : (m,) mm
+        """
+        found = self._measure_once(predicted, half_width)
+        frames, which = predicted, np.arange(len(predicted))
+        for _ in range(_MEASUREMENTS - 1):
+            seen = Frames.join([found[k].frame for k in which])
+            turned = np.einsum("mki,mki->mk", seen.sides, frames.sides).min(axis=1)
+            moved = np.linalg.norm(seen.origin - frames.origin, axis=1)
+            going = (turned <= np.cos(_REMEASURE_TURN)) | (moved >= self.settings.cloud_pitch)
+            going &= [found[k].stop is None for k in which]
+            if not going.any():
                 break
-        return station
+            frames, which = seen[going], which[going]
+            again = self._measure_once(frames, half_width[which])
+            for k, station in zip(which, again, strict=True):
+                found[k] = station
+        return found
 
-    def slab(self, frame: Frames, half_width: float) -> SectionPoints:
-        """Points within the reach of a section and half a width along the edge."""
+    def slab(self, frames: Frames, half_width: np.ndarray) -> SectionPoints:
+        """Points within the reach of sections and half a width (m,) along the edge."""
         reach = self.settings.reach
-        radius = float(np.hypot(reach, half_width)) * 1.05
-        index = np.array(
-            self.cloud.tree.query_ball_point(frame.origin[0], radius, return_sorted=False),
-            dtype=np.int64,
-        )
+        radius = np.hypot(reach, half_width) * 1.05
+        balls = self.cloud.tree.query_ball_point(frames.origin, radius, return_sorted=False)
+        index = np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls])
+        owner = np.repeat(np.arange(len(frames)), [len(ball) for ball in balls])
         points = self.cloud.points[index]
-        ahead = (points - frame.origin[0]) @ frame.tangent[0]
+        ahead = np.einsum("ni,ni->n", points - frames.origin[owner], frames.tangent[owner])
         # Inside of a bend a narrow slab of points fans out to twice its width.
-        near = np.abs(ahead) <= 2.0 * half_width
-        index, points = index[near], points[near]
-        found = section_points(frame, np.zeros(len(index), dtype=np.int64), index, points)
-        return found[np.abs(found.along) <= half_width]
+        near = np.abs(ahead) <= 2.0 * half_width[owner]
+        found = section_points(frames, owner[near], index[near], points[near])
+        return found[np.abs(found.along) <= half_width[found.owner]]
 
-    def _measure_once(self, frame: Frames, half_width: float) -> Station:
-        settings = self.settings
-        points = self.slab(frame, half_width)
-        kept = points[self._plausible(frame, points)]
-        missing = Station(frame, stop=Stop.CLOUD_END if len(points.index) < 12 else Stop.CORNER)
-        if min(np.bincount(kept.side, minlength=2)) < 6:
-            return missing
-        fits = self._fit(frame, kept, half_width)
+    def _measure_once(self, frames: Frames, half_width: np.ndarray) -> list[Station]:
+        settings, sections = self.settings, len(frames)
+        points = self.slab(frames, half_width)
+        kept = points[self._plausible(frames, points)]
+        supplied = np.bincount(points.owner, minlength=sections)
+        missing = [Stop.CLOUD_END if count < 12 else Stop.CORNER for count in supplied]
+        enough = _counts(kept, sections).min(axis=1) >= 6
+        if not enough.any():
+            return [Station(frames[k], stop=missing[k]) for k in range(sections)]
+        fits = self._fit(frames, kept, half_width)
         residual = fits.residuals(kept)
-        spread = np.sqrt(fits.variance[0]) * settings.reach
-        limit = 3.5 * np.maximum(spread, settings.noise)[kept.side]
-        inliers = np.abs(residual) <= limit
+        limit = 3.5 * np.maximum(np.sqrt(fits.variance) * settings.reach, settings.noise)
+        inliers = np.abs(residual) <= limit[kept.owner, kept.side]
         if not np.all(inliers):
-            removed = block_counts(kept[~inliers], len(frame), settings.reach)
+            removed = block_counts(kept[~inliers], sections, settings.reach)
             kept = kept[inliers]
-            left = block_counts(kept, len(frame), settings.reach)
-            fits = self._fit(frame, kept, half_width, removed > 0.25 * (left + removed))
-        if np.any(fits.count < 6) or not np.all(_reached(kept)):
-            return missing
-        corner = corners(frame, fits)
-        if not corner.found[0] or self._hanging(corner, fits, points):
-            return Station(frame, stop=Stop.LOST)
+            left = block_counts(kept, sections, settings.reach)
+            fits = self._fit(frames, kept, half_width, removed > 0.25 * (left + removed))
+        ahead = kept.along > 0.0
+        enough &= (
+            np.minimum(_counts(kept[ahead], sections), _counts(kept[~ahead], sections))
+            .min(axis=1)
+            .astype(bool)
+        )
+        enough &= np.all(fits.count >= 6, axis=1)
+        corner = corners(frames, fits)
+        lost = ~corner.found | self._hanging(corner, fits, points)
         measured = frames_from_sides(
             corner.point,
             corner.tangent,
             corner.sides,
-            frame.bend,
+            frames.bend,
             fits.coefficients[..., 2] / settings.reach,
         )
-        sigma = float(np.sqrt(np.linalg.eigvalsh(corner.covariance[0])[-1]))
-        noise = float(np.sqrt(np.min(fits.variance[0])) * settings.reach)
-        begins = (float(fits.begins[0, 0]), float(fits.begins[0, 1]))
-        stop = None
-        if measured.turn[0] < settings.min_angle / 2.0:
-            stop = Stop.SMOOTH
-        elif not np.isfinite(sigma) or sigma > 0.5 * max(begins) + 2.0 * settings.cloud_pitch:
-            stop = Stop.LOST
-        elif noise > _MOST_SCATTER * settings.noise:
-            stop = Stop.CORNER
-        return Station(measured, sigma, noise, begins, _cover(kept, fits), stop)
+        sigma = largest_sigma(corner.covariance)
+        noise = np.sqrt(fits.variance.min(axis=1)) * settings.reach
+        cover, turn = _cover(kept, fits), measured.turn
+        lost_in_noise = ~(sigma <= 0.5 * fits.begins.max(axis=1) + 2.0 * settings.cloud_pitch)
+        stations = []
+        for k in range(sections):
+            stop = None
+            if not enough[k]:
+                stop = missing[k]
+            elif lost[k]:
+                stop = Stop.LOST
+            if stop is not None:
+                stations.append(Station(frames[k], stop=stop))
+                continue
+            if turn[k] < settings.min_angle / 2.0:
+                stop = Stop.SMOOTH
+            elif lost_in_noise[k]:
+                stop = Stop.LOST
+            elif noise[k] > _MOST_SCATTER * settings.noise:
+                stop = Stop.CORNER
+            begins = (float(fits.begins[k, 0]), float(fits.begins[k, 1]))
+            stations.append(
+                Station(
+                    measured[k], float(sigma[k]), float(noise[k]), begins, float(cover[k]), stop
+                )
+            )
+        return stations
 
-    def _hanging(self, corner: Corners, fits: SideFits, points: SectionPoints) -> bool:
-        """Whether the edge point hangs farther in the air than a rounding can take away.
+    def _hanging(self, corner: Corners, fits: SideFits, points: SectionPoints) -> np.ndarray:
+        """Whether an edge point hangs farther in the air than a rounding can take away, (m,).
 
         A rounding that touches both sides where they begin leaves b (1 − sin θ/2) / cos θ/2 between
         its top and the edge. Sides that meet farther outside, like the two faces of a thin plate
         that a fit has bent towards each other, have no edge there.
         """
-        cosine = float(corner.sides[0, 0] @ corner.sides[0, 1])
+        cosine = np.einsum("mi,mi->m", corner.sides[:, 0], corner.sides[:, 1])
         half = 0.5 * np.arccos(np.clip(cosine, -1.0, 1.0))
-        rounded = float(fits.begins[0].max()) * (1.0 - np.sin(half)) / max(np.cos(half), 1e-3)
-        near = np.linalg.norm(self.cloud.points[points.index] - corner.point[0], axis=1).min()
-        return bool(near > 1.3 * rounded + _HANGING * self.settings.cloud_pitch)
+        rounded = fits.begins.max(axis=1) * (1.0 - np.sin(half)) / np.maximum(np.cos(half), 1e-3)
+        away = self.cloud.points[points.index] - corner.point[points.owner]
+        near = np.full(len(half), np.inf)
+        np.minimum.at(near, points.owner, np.einsum("ni,ni->n", away, away))
+        return np.sqrt(near) > 1.3 * rounded + _HANGING * self.settings.cloud_pitch
 
     def _fit(
         self,
-        frame: Frames,
+        frames: Frames,
         points: SectionPoints,
-        half_width: float,
+        half_width: np.ndarray,
         doubtful: np.ndarray | None = None,
     ) -> SideFits:
         reach = self.settings.reach
-        moments = block_moments(points, len(frame), reach)
+        moments = block_moments(points, len(frames), reach)
         moments = without_crowds(moments, reach, half_width, self.settings.cloud_pitch)
         return choose_stretches(
-            moments, reach, self.settings.noise, frame.curvature * reach, doubtful=doubtful
+            moments, reach, self.settings.noise, frames.curvature * reach, doubtful=doubtful
         )
 
     def ending(self, last: Station, stop: Stop) -> Stop:
@@ -217,23 +253,19 @@ class PatchSection:
         return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
 
 
-def _cover(points: SectionPoints, fits: SideFits) -> float:
-    """How far each side's fit reaches among its points, the smaller share of the two.
+def _cover(points: SectionPoints, fits: SideFits) -> np.ndarray:
+    """How far each side's fit reaches among its points, the smaller share of the two, (m,).
 
     A side that is not smooth within the noise, or curls within its length as a rounding does,
     counts for less. What is left out next to the edge may well be a rounding and does not count.
     """
-    shares = []
-    for k in range(2):
-        extent = max(points.away[points.side == k].max(), 1e-12)
-        curl = fits.coefficients[0, k, 2] * fits.ends[0, k] / fits.reach
-        share = min(fits.ends[0, k] / extent, 1.0) / (1.0 + curl**2)
-        shares.append(share if fits.accepted[0, k] else 0.6 * share)
-    return float(min(shares))
+    extent = np.full(fits.count.shape, 1e-12)
+    np.maximum.at(extent, (points.owner, points.side), points.away)
+    curl = fits.coefficients[..., 2] * fits.ends / fits.reach
+    share = np.minimum(fits.ends / extent, 1.0) / (1.0 + curl**2)
+    return np.asarray(np.where(fits.accepted, share, 0.6 * share).min(axis=1))
 
 
-def _reached(points: SectionPoints) -> np.ndarray:
-    """Whether each side has points both behind and ahead of the section, (2,)."""
-    ahead = np.bincount(points.side[points.along > 0.0], minlength=2)
-    behind = np.bincount(points.side[points.along < 0.0], minlength=2)
-    return np.minimum(ahead, behind) > 0
+def _counts(points: SectionPoints, sections: int) -> np.ndarray:
+    """Number of points of each side of each section, (m, 2)."""
+    return np.bincount(points.owner * 2 + points.side, minlength=2 * sections).reshape(-1, 2)

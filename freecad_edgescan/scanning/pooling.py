@@ -33,7 +33,7 @@ from .side_fit import (
 
 _POOLED = 4  # sections on each side that decide together
 _STRIDES = (8, 6, 4)  # sections from one decision to the next, first to last
-_POOLED_CURVATURE = 8
+_ALIKE_CURVED = (8, 24, 72)  # sections on each side that may share their curvature
 _ALIKE = 6 * (2 * _POOLED + 1)  # sections over which what is left of a rounding is much the same
 _BY_CHANCE = 2.0  # times that what noise moves may be met by chance, on their average
 _BESIDE = 5  # decisions that judge the one in their middle
@@ -41,9 +41,6 @@ _LEAST_SEEN = 0.5  # of what they see, below which it is a stray
 # Of where the walk has seen a side begin. A single section rather runs into a rounding than that
 # it begins too late, and what lies far inside of that is the rounding itself.
 _NOT_BEFORE = 0.85
-# How many times larger than that of independent windows the variance of their mean is.
-_SHARES = np.convolve(np.ones(2 * _POOLED + 1), np.ones(2 * _POOLED_CURVATURE + 1))
-_OVERLAP = float(np.square(_SHARES).sum() / _SHARES.sum())
 
 
 def cleaned(
@@ -112,20 +109,41 @@ def agreed_stretches(stretch: np.ndarray, path: EdgePath) -> np.ndarray:
 
 def shared_curvature(
     pooled: SideFits, path: EdgePath, half_width: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Curvature of each side that neighbours agree on, and how far one may be from it."""
+) -> tuple[np.ndarray, np.ndarray, int]:
+    """Curvature of each side that neighbours agree on, and how far one may be from it.
+
+    Each section asks as many neighbours as know it best. And how many sections on each side that
+    mostly are.
+    """
     own = pooled.coefficients[..., 2]
     counted = times_counted(path, half_width)
     variance = np.maximum(counted * pooled.variance * pooled.inverse[..., 2, 2], 1e-12)
     # What curls like a rounding says nothing about the side.
     weight = np.where(np.abs(own) > 2.0 * MOST_CURVED, 1e-9, 1.0) / variance
-    total = _pool(weight, path, _POOLED_CURVATURE)
-    mean = _pool(weight * own, path, _POOLED_CURVATURE) / total
+    means, variances = zip(
+        *(_agreed_by(width, own, weight, path) for width in _ALIKE_CURVED), strict=True
+    )
+    best = np.argmin(variances, axis=0)
+    mean, variance = (
+        np.take_along_axis(np.stack(values), best[None], axis=0)[0] for values in (means, variances)
+    )
+    asked = int(np.median(np.array(_ALIKE_CURVED)[best]))
+    return *_perhaps_plane(mean, variance + 1e-8), asked
+
+
+def _agreed_by(
+    width: int, own: np.ndarray, weight: np.ndarray, path: EdgePath
+) -> tuple[np.ndarray, np.ndarray]:
+    """Weighted mean over neighbours, and variance of one of them about it beyond its own."""
+    total = _pool(weight, path, width)
+    mean = _pool(weight * own, path, width) / total
     # Pooled windows overlap; what scatters beyond chance is real change.
-    scatter = _pool(weight * np.square(own - mean), path, _POOLED_CURVATURE) / total
-    known = _OVERLAP / total
-    by_chance = np.maximum(_pool(np.ones_like(own), path, _POOLED_CURVATURE) / total - known, 0.0)
-    return _perhaps_plane(mean, np.maximum(scatter - by_chance, 0.0) + known + 1e-8)
+    scatter = _pool(weight * np.square(own - mean), path, width) / total
+    shares = np.convolve(np.ones(2 * _POOLED + 1), np.ones(2 * width + 1))
+    # How many times larger than that of independent windows the variance of their mean is.
+    known = float(np.square(shares).sum() / shares.sum()) / total
+    by_chance = np.maximum(_pool(np.ones_like(own), path, width) / total - known, 0.0)
+    return mean, np.maximum(scatter - by_chance, 0.0) + known
 
 
 def _perhaps_plane(mean: np.ndarray, variance: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -147,7 +165,7 @@ def times_counted(path: EdgePath, half_width: float) -> float:
     return max(1.0, 2.0 * half_width / path.spacing)
 
 
-def shared_between(sections: int, closed: bool, farthest: int) -> np.ndarray:
+def shared_between(sections: int, closed: bool, farthest: int, asked: int) -> np.ndarray:
     """Correlation of what sections share about their curvature.
 
     Parameters
@@ -155,6 +173,7 @@ def shared_between(sections: int, closed: bool, farthest: int) -> np.ndarray:
     sections : their number
     closed : whether the last one leads back to the first
     farthest : number of sections between two of them at most
+    asked : sections on each side that one asks about its curvature
 
     Returns
     -------
@@ -162,10 +181,10 @@ def shared_between(sections: int, closed: bool, farthest: int) -> np.ndarray:
     fewer sections are asked, it is larger.
     """
     # Between the ends of a long edge it is the same everywhere.
-    few = min(sections, 4 * (_POOLED + _POOLED_CURVATURE) + 2 * farthest + 2)
-    asked = _summed(_summed(np.eye(few), _POOLED, closed), _POOLED_CURVATURE, closed)
-    asked /= np.linalg.norm(asked, axis=1, keepdims=True)
-    alike = asked @ asked.T
+    few = min(sections, 4 * (_POOLED + asked) + 2 * farthest + 2)
+    together = _summed(_summed(np.eye(few), _POOLED, closed), asked, closed)
+    together /= np.linalg.norm(together, axis=1, keepdims=True)
+    alike = together @ together.T
     onward = (np.arange(few)[:, None] + np.arange(farthest + 1)) % few
     table = np.take_along_axis(alike, onward, axis=1)
     which = np.arange(sections)

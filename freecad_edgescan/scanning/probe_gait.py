@@ -37,19 +37,20 @@ class ProbeGait:
         most = _MORE if self.settings.chord_height else 1.0
         return most * self.settings.edge_pitch
 
-    def stride(self, section: Section, stations: Sequence[Station]) -> Station:
+    def stride(self, section: Section, stations: Sequence[Station]) -> list[Station]:
         """Scan the next line that shows an edge."""
         last, pitch = stations[-1], self._pitch(stations)
         stop: Stop | None = None
         for k in range(1, self.settings.safeguards.coasting + 2):
-            station = section.measure(self._ahead(stations, k * pitch), 0.5 * pitch, last)
+            ahead = self._ahead(stations, k * pitch)
+            (station,) = section.measure(ahead, np.array([0.5 * pitch]), last)
             if station.stop is None:
-                return replace(station, step=k * pitch)
+                return [replace(station, step=k * pitch)]
             stop = stop or station.stop
             if station.stop in _NOT_COASTED:
                 stop = station.stop
                 break
-        return replace(last, stop=stop)
+        return [replace(last, stop=stop)]
 
     def _pitch(self, stations: Sequence[Station]) -> float:
         """The next edge pitch, from the chordal deviation of the last three edge points."""

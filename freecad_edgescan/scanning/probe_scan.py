@@ -15,6 +15,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
+from ..geometry.place_text import place_text
 from .cmm import Cmm
 from .edge_gate import heading_for, make_gate
 from .errors import ScanError
@@ -104,7 +105,7 @@ def _scan(
         trace = trace_one_way(section, first, gait, arrived, progress)
     if len(trace.stations) < _FEWEST_POINTS and not _ENDED_FROM_OUTSIDE & set(trace.stops):
         raise ScanError(
-            f"The edge found at ({_text(first.frame.origin[0])}) cannot be followed: the walk "
+            f"The edge found at ({place_text(first.frame.origin[0])}) cannot be followed: the walk "
             f"{trace.stops[1].value} within two lines{_because(section.failure)}. Start farther "
             "from its ends, or change the amplitude or the edge pitch."
         ) from section.failure
@@ -133,7 +134,8 @@ def _begin(cmm: Cmm, plan: ScanPlan, min_angle: float) -> tuple[ProbeSection, St
     first = section.begin(start)
     if first.stop is not None:
         raise ScanError(
-            f"The first line, from ({_text(start.point)}) across ({_text(start.across)}), "
+            f"The first line, from ({place_text(start.point)}) across "
+            f"({place_text(start.across)}), "
             f"{first.stop.value}{_because(section.failure)}. Check the start, the approach, the "
             f"amplitude of {settings.amplitude:g} mm, the prehit distance of "
             f"{settings.prehit_distance:g} mm and the search distance of "
@@ -145,7 +147,3 @@ def _begin(cmm: Cmm, plan: ScanPlan, min_angle: float) -> tuple[ProbeSection, St
 def _because(failure: Exception | None, words: str = " ({})") -> str:
     """What the machine said when it failed."""
     return words.format(str(failure) or type(failure).__name__) if failure else ""
-
-
-def _text(point: np.ndarray) -> str:
-    return ", ".join(f"{value:.4g}" for value in point)

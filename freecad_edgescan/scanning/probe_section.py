@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..geometry.place_text import place_text
 from .cmm import Cmm
 from .errors import ScanError
 from .line_scanner import LineScanner, ScannedLine
@@ -54,9 +55,10 @@ class ProbeSection:
         across = start.across
         if abs(float(self.settings.approach @ across)) > _ALONG_THE_PROBE:
             raise ScanError(
-                f"The start's direction across the edge ({_text(across)}) is that of the probe; "
+                f"The start's direction across the edge ({place_text(across)}) is that of "
+                "the probe; "
                 "give one along the surface, towards the edge, or another approach than "
-                f"({_text(self.settings.approach)})."
+                f"({place_text(self.settings.approach)})."
             )
         inward = _square_to(self.settings.approach, across)
         tangent = _cross(across, inward)
@@ -75,8 +77,11 @@ class ProbeSection:
             frame, line=line, stop=Stop.NO_EDGE if away > self.settings.amplitude else None
         )
 
-    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
-        """Scan the next line, towards a predicted edge point."""
+    def measure(self, predicted: Frames, half_width: np.ndarray, last: Station) -> list[Station]:
+        """Scan the next line, towards the one predicted edge point."""
+        return [self._next_line(predicted, last)]
+
+    def _next_line(self, predicted: Frames, last: Station) -> Station:
         before = last.line
         if before is None:
             raise TypeError("a probed scan goes on from a line")
@@ -260,10 +265,6 @@ class ProbeSection:
         line = replace(line, sharpness=before.after(line.split_off))
         turn = np.pi - np.arccos(np.clip(line.rough_sides[0] @ line.rough_sides[1], -1.0, 1.0))
         return line if turn > self.settings.least_turn else Stop.NO_EDGE
-
-
-def _text(vector: np.ndarray) -> str:
-    return ", ".join(f"{value:.3g}" for value in vector)
 
 
 def _square_to(vector: np.ndarray, normal: np.ndarray) -> np.ndarray:

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Who is told how far a scan is, and who may cancel it."""
+"""What a running scan tells its progress of the result so far."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..cloud.progress import Progress
+
 if TYPE_CHECKING:
     from .section import Station
+
+__all__ = ["Progress", "SoFar"]
 
 
 class SoFar:
@@ -38,11 +42,3 @@ class SoFar:
 
 def _points(stations: Sequence[Station]) -> np.ndarray:
     return np.array([station.frame.origin[0] for station in stations]).reshape(-1, 3)
-
-
-class Progress(Protocol):
-    """Anything that has ``update``; False cancels, and what was found so far is kept."""
-
-    def update(self, fraction: float, so_far: object) -> bool:
-        """Take note of the share that is done (0 … 1, nan when unknown); answer False to cancel."""
-        ...

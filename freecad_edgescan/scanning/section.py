@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from ..geometry.frames import cross
+from ..geometry.frames import cross, unit
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -95,9 +95,8 @@ def frames_from_sides(
     sides : (m, 2, 3) array, roughly along the two surfaces, away from the edge
     bend, curvature : see `Frames`; zero when not given
     """
-    tangent = tangent / np.linalg.norm(tangent, axis=-1, keepdims=True)
-    sides = sides - np.einsum("mki,mi->mk", sides, tangent)[..., None] * tangent[:, None]
-    sides = sides / np.linalg.norm(sides, axis=-1, keepdims=True)
+    tangent = unit(tangent)
+    sides = unit(sides - np.einsum("mki,mi->mk", sides, tangent)[..., None] * tangent[:, None])
     normals = cross(tangent[:, None], sides)
     outward = -np.einsum("mki,mki->mk", normals, sides[:, ::-1])
     normals = normals * np.where(outward < 0.0, -1.0, 1.0)[..., None]
@@ -207,6 +206,8 @@ class Station:
     cover : how much of the two sides' points the fits explain, 0 … 1
     stop : why no edge point could be measured here; None when there is one
     step : length of the step that led here, mm; nan at the first station
+    surprise : how far it is beside where the step was to lead, beyond what noise explains, in
+        steps, or half the angle by which its sides are turned otherwise, rad, if that is more
     line : what a probe touched here, when one did
     """
 
@@ -217,19 +218,20 @@ class Station:
     cover: float = 1.0
     stop: Stop | None = None
     step: float = np.nan
+    surprise: float = np.nan
     line: ProbedLine | None = None
 
 
 class Section(Protocol):
-    """How one edge point of a walk is obtained."""
+    """How the edge points of a walk are obtained."""
 
-    def measure(self, predicted: Frames, half_width: float, last: Station) -> Station:
-        """Measure one edge point near a predicted section; a failure is a station with a stop.
+    def measure(self, predicted: Frames, half_width: np.ndarray, last: Station) -> list[Station]:
+        """Measure an edge point near each predicted section; a failure is a station with a stop.
 
         Parameters
         ----------
-        predicted : one section
-        half_width : mm to both sides of it along the edge, to take points from
+        predicted : m sections; only one where a machine touches the part
+        half_width : (m,) mm to both sides of them along the edge, to take points from
         last : the station before
         """
         ...

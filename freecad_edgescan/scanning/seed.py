@@ -153,9 +153,8 @@ def measure_growing(
     best = None
     while True:
         reach = min(reach, settings.reach)
-        measured = PatchSection(cloud, settings.with_reach(reach)).settle(
-            frame, settings.half_width
-        )
+        section = PatchSection(cloud, settings.with_reach(reach))
+        measured = section.settle(frame, np.array([settings.half_width]))[0]
         if measured.stop is None:
             if best is None or measured.sigma < 1.1 * best.station.sigma:
                 best = Seed(measured, reach)
@@ -180,12 +179,13 @@ def _doubt(station: Station, at: np.ndarray, settings: PatchSettings) -> float:
 def _goes_on(cloud: PointCloud, seed: Seed, settings: PatchSettings) -> bool:
     """Whether the edge can be followed for a step, one way or the other."""
     section = PatchSection(cloud, settings.with_reach(seed.reach))
-    for frame in (seed.station.frame, reversed_frame(seed.station.frame)):
-        predicted = predict(frame, settings.edge_pitch)
-        measured = section.settle(predicted, settings.half_width)
-        if not (measured.stop or jumped(seed.station, predicted, measured, settings.edge_pitch)):
-            return True
-    return False
+    frame, pitch = seed.station.frame, settings.edge_pitch
+    both_ways = predict(Frames.join([frame, reversed_frame(frame)]), pitch)
+    ahead = section.settle(both_ways, np.full(2, settings.half_width))
+    return any(
+        not (measured.stop or jumped(seed.station, both_ways[k], measured, pitch))
+        for k, measured in enumerate(ahead)
+    )
 
 
 def _gap(station: Station, at: np.ndarray) -> float:

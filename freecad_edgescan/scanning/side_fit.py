@@ -52,6 +52,7 @@ LATER = (1, 2)
 _UNEVEN = (12, 6)
 _UNEVEN_AT_ALL = 30.0
 _MOST_MOVED = 3.0
+_WORST = 3.3  # standard deviations that the mean of a block may be off
 _BY_CHANCE = 2.5  # variances by which they may be taken to move it by chance
 
 # How many times the expected number of points a block may hold at full weight.
@@ -152,14 +153,15 @@ def block_moments(points: SectionPoints, sections: int, reach: float) -> np.ndar
 
 
 def without_crowds(
-    moments: np.ndarray, reach: float, half_width: float, cloud_pitch: float
+    moments: np.ndarray, reach: float, half_width: float | np.ndarray, cloud_pitch: float
 ) -> np.ndarray:
     """Normal equations with crowded blocks weighted down to the pitch of the surfaces.
 
     Scans crowd points where a surface bends, as on a rounding; without this those few square
     millimetres would outvote the sides.
     """
-    expected = np.diff(BLOCK_EDGES) * reach * 2.0 * half_width / cloud_pitch**2
+    width = 2.0 * np.asarray(half_width)[..., None, None]
+    expected = np.diff(BLOCK_EDGES) * reach * width / cloud_pitch**2
     count = np.maximum(moments[..., 0], 1e-9)
     return moments * np.minimum(1.0, _CROWD * np.maximum(expected, 1.0) / count)[..., None]
 
@@ -231,14 +233,14 @@ def choose_stretches(
     leverage = inverse[..., _TERM_PAIRS[0], _TERM_PAIRS[1]] @ np.swapaxes(products, -1, -2)
     free = np.maximum(1.0 / number[:, :, None] - leverage, 1e-3 / number[:, :, None])
     tolerated = slack * free * number[:, :, None]
-    allowed = np.sqrt(variance[..., None, None] * (free + tolerated**2))
+    allowed = variance[..., None, None] * (free + tolerated**2)
     populated = _WITHIN & filled[:, :, None]
-    worst = np.max(np.where(populated, np.abs(mean) / allowed, 0.0), axis=-1)
+    worst = np.max(np.where(populated, np.square(mean) / allowed, 0.0), axis=-1)
     populated = np.count_nonzero(populated, axis=-1)
     enough = (count >= 8) & (populated >= 2) & filled[..., _FIRST] & filled[..., _LAST - 1]
     # How far a stretch departs from one smooth surface, 1 where it may just be one.
     badness = np.maximum(
-        ratio / (scatter * (1.0 + 3.0 * np.sqrt(2.0 / degrees))), np.square(worst / 3.3)
+        ratio / (scatter * (1.0 + 3.0 * np.sqrt(2.0 / degrees))), worst / _WORST**2
     )
     # A rounding is a smooth stretch too; its curvature, and the points it leaves over, tell.
     bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
@@ -385,7 +387,7 @@ def _solve(
     weight[..., 2] = variance / np.square(curvature_sigma)
     weight = np.maximum(weight, 1e-12)
     normal[..., _DIAGONAL, _DIAGONAL] += weight
-    inverse = np.linalg.inv(normal)
+    inverse = _inverse(normal)
     pulled = right.copy()
     pulled[..., 2] += weight[..., 2] * curvature
     coefficients = (inverse @ pulled[..., None])[..., 0]
@@ -394,3 +396,32 @@ def _solve(
     pull[..., 2] += weight[..., 2] * curvature
     misfit = full[..., _TERMS, _TERMS] - np.sum(coefficients * (right - pull), axis=-1)
     return coefficients, inverse, np.maximum(misfit, 0.0), summed[..., 0]
+
+
+def _inverse(normal: np.ndarray) -> np.ndarray:
+    """Inverse of symmetric positive definite matrices (…, 4, 4), by blocks of two rows.
+
+    For so many so small ones LAPACK's time goes into being called.
+    """
+    a, b, c, d = (normal[..., 0, k] for k in range(4))
+    e, f, g = (normal[..., 1, k] for k in range(1, 4))
+    h, i, j = normal[..., 2, 2], normal[..., 2, 3], normal[..., 3, 3]
+    size = a * e - b * b
+    p, q, r = e / size, -b / size, a / size
+    # What the last two terms are in terms of the first two, and what of them is their own.
+    w, x, y, z = p * c + q * f, p * d + q * g, q * c + r * f, q * d + r * g
+    h, i, j = h - c * w - f * y, i - c * x - f * z, j - d * x - g * z
+    size = h * j - i * i
+    h, i, j = j / size, -i / size, h / size
+    wh, xh, yh, zh = w * h + x * i, w * i + x * j, y * h + z * i, y * i + z * j
+    inverse = np.empty(normal.shape)
+    inverse[..., 0, 0] = p + wh * w + xh * x
+    inverse[..., 0, 1] = inverse[..., 1, 0] = q + wh * y + xh * z
+    inverse[..., 1, 1] = r + yh * y + zh * z
+    inverse[..., 0, 2] = inverse[..., 2, 0] = -wh
+    inverse[..., 0, 3] = inverse[..., 3, 0] = -xh
+    inverse[..., 1, 2] = inverse[..., 2, 1] = -yh
+    inverse[..., 1, 3] = inverse[..., 3, 1] = -zh
+    inverse[..., 2, 2], inverse[..., 3, 3] = h, j
+    inverse[..., 2, 3] = inverse[..., 3, 2] = i
+    return inverse

@@ -29,6 +29,7 @@ _LENGTHS = (0.3, 0.5, 0.75, 1.0)  # of the longest stretch, that are tried
 _AGREE = 9.2  # squared Mahalanobis distance beyond which two estimates differ (99 %)
 _ASTRAY = 16.0  # the same, of a point from what its neighbours say of it
 _MOST_MISFIT = 2.0  # variances, of those whose word is taken
+_EACH_WAY = 2  # neighbours on each side, at least, who say it
 # So many such points in a row are a mistake: stretches of the sides are decided for three sections
 # at a time. More of them are the edge.
 _FEW = 4
@@ -49,7 +50,12 @@ class Smoothed:
 
 
 def smoothed(
-    measured: Measured, edge: Corners, cloud_pitch: float, closed: bool, straight: bool
+    measured: Measured,
+    edge: Corners,
+    cloud_pitch: float,
+    closed: bool,
+    straight: bool,
+    ending: tuple[bool, bool] = (True, True),
 ) -> Smoothed:
     """Smooth edge points along the edge.
 
@@ -60,13 +66,14 @@ def smoothed(
     cloud_pitch : mm
     closed : whether the last one leads back to the first
     straight : whether all of them are known to lie on one straight line
+    ending : whether the edge ends there, at its start and end, rather than having been left
     """
     raw = Smoothed(edge.point, edge.covariance)
     near = _Neighbours.around(measured, edge, _FARTHEST * cloud_pitch, closed, straight)
     if near is None:
         return raw
     degree = 1 if straight else 2
-    trusted = near.inside & ~_astray(near, degree)
+    trusted = near.inside & ~_astray(near, degree, ending)
     values, covariances = [np.zeros_like(near.off[:, 0])], [edge.covariance]
     means = [near.mean(near.own())]
     taken = np.zeros(len(edge.point), dtype=np.int64)
@@ -79,7 +86,9 @@ def smoothed(
         value, covariance = mean.value, mean.covariance
         agrees = found.copy()
         for before, other, known in zip(values, means, good, strict=True):
-            agrees &= (_distance(value - before, mean.difference(other)) <= _AGREE) | ~known
+            # One section in a hundred is farther off by chance alone; that is no change.
+            limit = _ASTRAY if other is means[0] else _AGREE
+            agrees &= (_distance(value - before, mean.difference(other)) <= limit) | ~known
         better = agrees & _smaller(covariance, np.array(covariances)[taken, np.arange(len(taken))])
         better |= agrees & alone & (taken == 0)
         values.append(value)
@@ -157,7 +166,7 @@ class _Neighbours:
         size = np.sqrt(4.0 * half[:, :, None] * half[:, None])
         overlap = np.clip(common / size, 0.0, 1.0)
         overlap[:, np.arange(len(step)), np.arange(len(step))] = 1.0
-        shared = shared_between(count, closed, 2 * reach)
+        shared = shared_between(count, closed, 2 * reach, measured.asked)
         earlier = which[:, np.minimum(np.arange(len(step))[:, None], np.arange(len(step)))]
         return _Neighbours(
             reach,
@@ -251,7 +260,7 @@ def _common(
     )
 
 
-def _astray(near: _Neighbours, degree: int) -> np.ndarray:
+def _astray(near: _Neighbours, degree: int, ending: tuple[bool, bool]) -> np.ndarray:
     """Which neighbours (m, k) are among few points that the others say are somewhere else."""
     # What is mistaken together is not asked about itself.
     others = near.inside & ~near.within(min(_FEW, near.reach // 3))
@@ -259,6 +268,12 @@ def _astray(near: _Neighbours, degree: int) -> np.ndarray:
     # What its neighbours say of a section's point, whose own place is zero.
     said = near.mean(weight)
     far = found & (_distance(said.value, said.difference(near.mean(near.own()))) > _ASTRAY)
+    # What is drawn out beyond those it was fitted to says little. It is asked only where the edge
+    # ends, and the next surface may have got in.
+    for ends, beside in zip(
+        ending, (others[:, : near.reach], others[:, -near.reach :]), strict=True
+    ):
+        far &= ends | (beside.sum(axis=1) >= _EACH_WAY)
     # Where the edge is no parabola, as where a line becomes an arc, its neighbours say nothing.
     far &= near.misfit(others, degree) < _MOST_MISFIT
     single = far.copy()

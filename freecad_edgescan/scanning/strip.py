@@ -33,17 +33,16 @@ def strip_points(
     index = _each_place_once(cloud.points, index)
     points = cloud.points[index]
     _, nearest = cKDTree(frames.origin).query(points)
+    ahead = np.einsum("ni,ni->n", points - frames.origin[nearest], frames.tangent[nearest])
     neighbours = int(np.ceil(half_width / max(float(np.diff(path.at).min()), 1e-3 * spacing) + 0.5))
     parts = []
     for step in range(-neighbours, neighbours + 1):
         owner = nearest + step
         if path.closed:
             owner %= len(frames)
-        rows = np.flatnonzero((owner >= 0) & (owner < len(frames)))
-        mine = owner[rows]
-        ahead = np.einsum("ni,ni->n", points[rows] - frames.origin[mine], frames.tangent[mine])
         # Inside of a bend a narrow slab of points fans out to twice its width.
-        rows = rows[np.abs(ahead) <= 2.0 * half_width]
+        onward = np.nan_to_num(path.ahead(step) if step else np.zeros(len(frames)), nan=np.inf)
+        rows = np.flatnonzero(np.abs(ahead - onward[nearest]) <= 2.0 * half_width)
         found = section_points(frames, owner[rows], index[rows], points[rows])
         parts.append(
             found[(np.abs(found.along) <= half_width) & (found.away > 0) & (found.away < reach)]

@@ -5,16 +5,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from .gait import Gait, reversed_frame
 from .progress import Progress
 from .section import Section, Station
 from .stop import Stop
-from .walker import Arrived, Walk, walk
-
-_DOUBTFUL = 2.0  # longest steps before an end from which it is walked to once more
-_NOT_ENDS = (Stop.CLOSED, Stop.CANCELLED, Stop.LIMIT, Stop.GATE)
+from .walker import Arrived, walk
 
 
 @dataclass(frozen=True)
@@ -47,56 +42,17 @@ def trace_both_ways(
     first: Station,
     gait: Gait,
     progress: Progress | None = None,
-    careful: Gait | None = None,
 ) -> Trace:
-    """Walk along the tangent until the edge ends, then from the first station the other way.
-
-    Parameters
-    ----------
-    careful : a gait of short steps, to walk to an end once more before it is believed
-    """
-    onward = _to_the_end(section, first, gait, progress, careful, [])
+    """Walk along the tangent until the edge ends, then from the first station the other way."""
+    onward = walk(section, first, gait, progress=progress)
     if onward.stop is Stop.CLOSED:
         return Trace([first, *onward.stations], (Stop.CLOSED, Stop.CLOSED))
     if onward.stop is Stop.CANCELLED:
         return Trace([first, *onward.stations], (Stop.START, Stop.CANCELLED))
     known = [first, *onward.stations]
-    backward = _to_the_end(section, turned(first), gait, progress, careful, known)
+    backward = walk(section, turned(first), gait, progress=progress, known=known)
     stations = [turned(station) for station in reversed(backward.stations)]
     return Trace([*stations, *known], (backward.stop, onward.stop))
-
-
-def _to_the_end(
-    section: Section,
-    first: Station,
-    gait: Gait,
-    progress: Progress | None,
-    careful: Gait | None,
-    known: list[Station],
-) -> Walk:
-    """Walk until the edge ends; where short steps lead farther, as round a tight bend, in those."""
-    found = walk(section, first, gait, progress=progress, known=known)
-    left = np.cumsum([station.step for station in reversed(found.stations)])
-    count = len(found.stations) - 1 - int(np.searchsorted(left, _DOUBTFUL * gait.longest_step))
-    if careful is None or found.stop in _NOT_ENDS or count < 1:
-        return found
-    sure, doubtful = found.stations[:count], found.stations[count:]
-    told = [*reversed(sure), first, *known[1:]]
-    again = walk(
-        section,
-        sure[-1],
-        careful,
-        progress=progress,
-        known=told,
-        behind=[first, *sure[:-1]],
-    )
-    if again.stop is not Stop.CANCELLED and _length(again.stations) <= _length(doubtful):
-        return found
-    return Walk([*sure, *again.stations], again.stop)
-
-
-def _length(stations: list[Station]) -> float:
-    return sum(station.step for station in stations)
 
 
 def turned(station: Station) -> Station:

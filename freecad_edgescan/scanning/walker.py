@@ -52,27 +52,27 @@ def walk(
     limit : largest number of stations
     progress : told after some stations, may cancel
     known : the first station and what an earlier walk the other way found, for the progress
-    behind : stations that were walked before the first one; where the edge closes, it is there
+    behind : stations that lead up to the first one; where the edge closes, it is at their beginning
     """
     stations = [first]
     home = behind[0] if behind else first
     travelled = sum(station.step for station in [*behind, first][1:])
     teller = _Teller(progress, stations, known)
     while True:
-        if len(stations) > limit:
-            return teller.last(Walk(stations[1:], Stop.LIMIT))
-        last, station = stations[-1], gait.stride(section, stations)
-        if station.stop is not None:
-            return teller.last(Walk(stations[1:], station.stop))
-        stations.append(station)
-        travelled += station.step
-        here, there = last.frame.origin[0], station.frame.origin[0]
-        if arrived is not None and arrived(here, there):
-            return teller.last(Walk(stations[1:], Stop.GATE))
-        if _closed(home, station, travelled, gait.longest_step):
-            return teller.last(Walk(stations[1:], Stop.CLOSED))
-        if not teller.tell():
-            return Walk(stations[1:], Stop.CANCELLED)
+        for station in gait.stride(section, stations):
+            if station.stop is not None:
+                return teller.last(Walk(stations[1:], station.stop))
+            if len(stations) > limit:
+                return teller.last(Walk(stations[1:], Stop.LIMIT))
+            here, there = stations[-1].frame.origin[0], station.frame.origin[0]
+            stations.append(station)
+            travelled += station.step
+            if arrived is not None and arrived(here, there):
+                return teller.last(Walk(stations[1:], Stop.GATE))
+            if _closed(home, station, travelled, gait.longest_step):
+                return teller.last(Walk(stations[1:], Stop.CLOSED))
+            if not teller.tell():
+                return Walk(stations[1:], Stop.CANCELLED)
 
 
 class _Teller:

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import PointCloud
 from ..cloud.local_normals import local_normals
+from ..cloud.progress import Progress, Stage
 from ..geometry import BSplineCurve, BSplineSurface
 from ..scanning import ScannedEdge
 from .coons import coons_surface
@@ -69,6 +70,7 @@ def base_surface(
     model: SweepModel | str = SweepModel.ROTATE,
     largest_gap: float = 1.0,
     tolerance: float = 1e-2,
+    progress: Progress | None = None,
 ) -> BaseSurface:
     """A surface near the part, from exactly one of points, four edges, or rails and profiles.
 
@@ -88,6 +90,9 @@ def base_surface(
         How far, mm, edges or profiles may miss each other or the rails.
     tolerance : float
         mm, of the B-spline against edges and sweep.
+    progress : object with ``update(fraction, so_far) -> bool``, optional
+        With points: told the share that is done; when it answers False the best of the shapes
+        tried so far is the result.
 
     Returns
     -------
@@ -108,7 +113,7 @@ def base_surface(
     if kind is not None and points is None:
         raise ValueError(f"A kind ({kind!r}) is chosen for points only; leave it out.")
     if points is not None:
-        return _from_points(points_of(points), kind)
+        return _from_points(points_of(points), kind, progress)
     if edges is not None:
         surface, said = coons_surface([curve_of(edge) for edge in edges], largest_gap, tolerance)
         return BaseSurface(surface, ShapeKind.EDGES, said)
@@ -131,7 +136,9 @@ def curve_of(edge: BSplineCurve | ScannedEdge) -> BSplineCurve:
     return edge.curve() if isinstance(edge, ScannedEdge) else edge
 
 
-def _from_points(points: Array, kind: ShapeKind | str | None) -> BaseSurface:
+def _from_points(
+    points: Array, kind: ShapeKind | str | None, progress: Progress | None
+) -> BaseSurface:
     if kind is not None and kind not in list(_SHAPES):
         listed = ", ".join(_SHAPES)
         raise ValueError(f"There is no base surface of the kind {kind!r}; choose one of {listed}.")
@@ -148,9 +155,9 @@ def _from_points(points: Array, kind: ShapeKind | str | None) -> BaseSurface:
             "determined. Take a larger segment."
         )
     some = _sample(len(points))
-    normals = local_normals(cloud, some)
+    normals = local_normals(cloud, some, Stage(progress, 0.0, 0.3))
     kinds = _SHAPES if kind is None else (ShapeKind(kind),)
-    shapes = fitted_primitives(cloud.points[some], normals, kinds)
+    shapes = fitted_primitives(cloud.points[some], normals, kinds, Stage(progress, 0.3, 1.0))
     if not shapes:
         raise ValueError(
             f"No {kind or 'surface'} can be fitted to the {len(points)} points; choose another "

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..cloud import PartOfCloud, PointCloud, compensate_cloud
+from ..cloud.progress import Progress, Stage
 from ..geometry import BSplineSurface
 from .segmentation import segment_cloud
 
@@ -23,6 +24,7 @@ def compensated_segment(
     base: BSplineSurface,
     distance: float,
     compensated: PartOfCloud | None = None,
+    progress: Progress | None = None,
 ) -> Array:
     """Points (n, 3) mm of the part's surface near a base surface.
 
@@ -35,6 +37,7 @@ def compensated_segment(
     base : BSplineSurface
     distance : mm, from the base surface
     compensated : what `compensate_cloud` makes of the cloud, when it is there already
+    progress : told the share that is done; where it answers False the points so far are the result
 
     Raises
     ------
@@ -48,8 +51,9 @@ def compensated_segment(
         if not near.any():
             return np.zeros((0, 3))
         cloud = PointCloud(cloud.points[near], cloud.probe_radius, cloud.approach)
-        compensated = compensate_cloud(cloud)
-    rows = np.flatnonzero(segment_cloud(compensated, base, distance, _STEEPEST))
+        compensated = compensate_cloud(cloud, Stage(progress, 0.0, 0.5))
+    rest = Stage(progress, 0.5, 1.0)
+    rows = np.flatnonzero(segment_cloud(compensated, base, distance, _STEEPEST, rest))
     points = compensated.points[rows]
     u, v, _ = base.closest(points)
     inner = np.ones(len(points), dtype=bool)

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from ..cloud import PointCloud
 from ..geometry import BSplineCurve, Circle, Line, Plane
 from ..geometry.frames import orthonormalise
+from ..geometry.place_text import place_text
 from ..scanning import ScannedEdge
 from .base_surface import curve_of
 from .deviation import points_of
@@ -132,10 +133,10 @@ def cross_section(
     if len(rows) >= _FEWEST:
         flat = cloud.points[rows] - cut.plane.residuals(cloud.points[rows])
         gap = np.inf if cut.end is not None else max(_GAP * pitch, slab)
-        order = chain_order(flat, cut.plane.point, _SPACING * pitch, gap)
+        order = chain_order(flat, cut.plane.point, _SPACING * pitch, gap, cut.end)
         rows, flat = rows[order], flat[order]
     if len(rows) < _FEWEST:
-        where = ", ".join(f"{x:.3f}" for x in cut.plane.point)
+        where = place_text(cut.plane.point)
         raise ValueError(
             f"The section at ({where}) holds {len(rows)} points within {wanted:.3g} mm in a slab "
             f"of {slab:.3g} mm; a profile needs {_FEWEST}. Choose a place where the cloud is, or "
@@ -186,7 +187,7 @@ def _cut(
         other = curve_of(towards)
         v, gap = other.closest(place[None])
         if gap[0] <= 1e-9 * curve.length():
-            where = ", ".join(f"{x:.3f}" for x in place)
+            where = place_text(place)
             raise ValueError(
                 f"The two rails meet at ({where}), which leaves no profile between them; choose "
                 "another place."

@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -42,6 +45,27 @@ class Deviation(DeviationFigures):
 
     def __len__(self) -> int:
         return len(self.deviation)
+
+    @classmethod
+    def joined(cls, parts: Sequence[Deviation]) -> Deviation:
+        """Deviations of points that follow each other, in parts, as one."""
+        nothing = cls(np.zeros(0), np.zeros(0, dtype=bool), (np.zeros(0), np.zeros(0)))
+        parts = list(parts) or [nothing]
+        return cls(
+            np.concatenate([part.deviation for part in parts]),
+            np.concatenate([part.outside for part in parts]),
+            (
+                np.concatenate([part.parameters[0] for part in parts]),
+                np.concatenate([part.parameters[1] for part in parts]),
+            ),
+        )
+
+    def to_csv(self, points: ArrayLike, path: str | PathLike[str]) -> None:
+        """Write points (n, 3), mm, their deviations, and whether they lie beyond the rim."""
+        table = np.column_stack([np.asarray(points, dtype=float), self.deviation, self.outside])
+        header = "x_mm,y_mm,z_mm,deviation_mm,beyond_rim"
+        with Path(path).open("w", encoding="utf-8", newline="") as file:
+            np.savetxt(file, table, ["%.6f"] * 4 + ["%d"], ",", header=header, comments="")
 
     def histogram(self, bins: int = 60, limit: float | None = None) -> tuple[Array, Array]:
         """Counts (bins,) and limits (bins + 1,), mm, of the deviations within the rim.
@@ -92,14 +116,7 @@ def deviation(
         parts.append(Deviation(signed, beyond_the_rim(part, surface, u, v), (u, v)))
         if progress and not progress.update((start + len(part)) / len(x), parts[-1]):
             break
-    return Deviation(
-        np.concatenate([part.deviation for part in parts]),
-        np.concatenate([part.outside for part in parts]),
-        (
-            np.concatenate([part.parameters[0] for part in parts]),
-            np.concatenate([part.parameters[1] for part in parts]),
-        ),
-    )
+    return Deviation.joined(parts)
 
 
 def points_of(cloud: PointCloud | ArrayLike) -> Array:

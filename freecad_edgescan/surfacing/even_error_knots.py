@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 
 _ROUNDS = 8
 _LEAST = 1e-3  # of the largest error: no span counts as less, so that none grows without bound
+_EXACT = 1e-7  # of the curves' size: errors below are rounding
 
 
 def even_error_knots(at: Array, samples: Array, count: int, degree: int) -> Array:
@@ -32,17 +33,18 @@ def even_error_knots(at: Array, samples: Array, count: int, degree: int) -> Arra
     count, degree : of the splines
     """
     breaks = np.linspace(0.0, 1.0, count - degree + 1)
+    exact = max(_EXACT * float(np.ptp(samples, axis=0).max()), 1e-12)
     best, least = breaks, np.inf
     for _ in range(_ROUNDS):
         knots = clamped_knots(breaks, degree)
         fitted = basis_values(knots, degree, at) @ poles_through(knots, degree, at, samples)
-        miss = np.linalg.norm(samples - fitted, axis=1)
+        miss = np.maximum(np.linalg.norm(samples - fitted, axis=1), exact)
         if miss.max() < least:
             best, least = breaks, float(miss.max())
         span = np.clip(np.searchsorted(breaks, at, side="right") - 1, 0, len(breaks) - 2)
         error = np.zeros(len(breaks) - 1)
         np.maximum.at(error, span, miss)
-        need = np.maximum(error, max(_LEAST * miss.max(), 1e-12)) ** (1.0 / (degree + 1))
+        need = np.maximum(error, _LEAST * miss.max()) ** (1.0 / (degree + 1))
         reached = np.append(0.0, np.cumsum(need))
         even = np.linspace(0.0, reached[-1], len(breaks))
         breaks = (breaks + np.interp(even, reached, breaks)) / 2

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
 from ..geometry import BSplineCurve, BSplineSurface, distance_to_polyline
+from ..geometry.place_text import place_text
 from .overlap import OverlappingPatches, overlapping_patches
 from .surface_pair import SurfacePair
 from .tracing import Branch, trace_branch
@@ -154,7 +155,7 @@ def _refuse_touching(points: Array, size: float) -> None:
     """Surfaces that touch in more than a point have no curve that could be computed there."""
     extent = np.ptp(points, axis=0).max() if len(points) else 0.0
     if extent > size:
-        where = ", ".join(f"{x:.3f}" for x in points[len(points) // 2])
+        where = place_text(points[len(points) // 2])
         raise ValueError(
             f"The surfaces touch or coincide over {extent:.3g} mm, near ({where}), without "
             "crossing; no curve of intersection is determined there. Move or turn one of them a "

@@ -8,12 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..cloud.progress import Progress
 from ..geometry import BSplineSurface
 
 __all__ = ["Parameterised", "beyond_the_rim", "parameterised"]
 
 Array = NDArray[np.float64]
 
+_AT_ONCE = 200_000  # points
 _ON_THE_RIM = 1e-6  # of the surface's size: no farther beyond the rim is still on it
 
 
@@ -27,11 +29,13 @@ class Parameterised:
     outside: NDArray[np.bool_]
 
 
-def parameterised(points: ArrayLike, base: BSplineSurface) -> Parameterised:
+def parameterised(
+    points: ArrayLike, base: BSplineSurface, progress: Progress | None = None
+) -> Parameterised:
     """Parameters of the base surface's closest points.
 
     A point is outside when its closest point is on the rim and the point lies beyond it, measured
-    along the surface.
+    along the surface. Where progress answers False, the result holds the first points only.
 
     Raises
     ------
@@ -40,7 +44,14 @@ def parameterised(points: ArrayLike, base: BSplineSurface) -> Parameterised:
     x: Array = np.asarray(points, dtype=float)
     if x.ndim != 2 or x.shape[1] != 3 or len(x) == 0:
         raise ValueError(f"Points to fit are an (n, 3) array with n > 0, not one of {x.shape}.")
-    u, v, _ = base.closest(x)
+    u, v = np.empty(len(x)), np.empty(len(x))
+    for start in range(0, len(x), _AT_ONCE):
+        rows = slice(start, start + _AT_ONCE)
+        u[rows], v[rows], _ = base.closest(x[rows])
+        done = min(start + _AT_ONCE, len(x))
+        if progress and not progress.update(done / len(x), None):
+            x, u, v = x[:done], u[:done], v[:done]
+            break
     return Parameterised(x, u, v, beyond_the_rim(x, base, u, v))
 
 

@@ -16,9 +16,12 @@ __all__ = ["chain_order"]
 Array = NDArray[np.float64]
 
 _NEIGHBOURS = 8
+_BRANCH = 4.0  # spacings from the way between two places; what is farther leads elsewhere
 
 
-def chain_order(points: Array, near: Array, spacing: float, gap: float) -> NDArray[np.intp]:
+def chain_order(
+    points: Array, near: Array, spacing: float, gap: float, towards: Array | None = None
+) -> NDArray[np.intp]:
     """Rows of the points of one piece of an open curve, in order along it.
 
     Parameters
@@ -27,16 +30,23 @@ def chain_order(points: Array, near: Array, spacing: float, gap: float) -> NDArr
     near : (3,) mm; the piece nearest to this place is taken, and begins at its end nearest to it
     spacing : mm, below which the order of points does not matter much
     gap : mm, beyond which points belong to different pieces
+    towards : (3,) mm; only what lies on the way from there to here is taken, no branches of it
     """
     nodes = points[spaced_rows(points, spacing)]
     whole = _graph(nodes, gap)
     label = connected_components(whole, directed=False)[1]
     piece = np.flatnonzero(label == label[np.argmin(np.linalg.norm(nodes - near, axis=1))])
     nodes, graph = nodes[piece], minimum_spanning_tree(whole[piece][:, piece])
-    one = _farthest(graph, 0)
-    other = _farthest(graph, one)
-    if np.linalg.norm(nodes[other] - near) < np.linalg.norm(nodes[one] - near):
-        one = other
+    if towards is None:
+        one = _farthest(graph, 0)
+        other = _farthest(graph, one)
+        if np.linalg.norm(nodes[other] - near) < np.linalg.norm(nodes[one] - near):
+            one = other
+    else:
+        one, other = (int(np.argmin(np.linalg.norm(nodes - x, axis=1))) for x in (near, towards))
+        kept = _on_the_way(graph, one, other, _BRANCH * spacing)
+        one = int(np.flatnonzero(kept == one)[0])
+        nodes, graph = nodes[kept], graph[kept][:, kept]
     way = dijkstra(graph, directed=False, indices=one)
     order = np.argsort(way)
     nodes, way = nodes[order], way[order]
@@ -57,6 +67,16 @@ def _graph(nodes: Array, gap: float) -> coo_matrix:
     near = (distance <= gap) & (one != other)
     shape = (len(nodes), len(nodes))
     return coo_matrix((distance[near], (one[near], other[near])), shape=shape).tocsr()
+
+
+def _on_the_way(graph: coo_matrix, one: int, other: int, reach: float) -> NDArray[np.intp]:
+    """Nodes of a tree on its way between two of them, or on branches no farther from it, mm."""
+    before = dijkstra(graph, directed=False, indices=one, return_predecessors=True)[1]
+    way = [other]
+    while way[-1] != one:
+        way.append(int(before[way[-1]]))
+    off = dijkstra(graph, directed=False, indices=way, min_only=True)
+    return np.flatnonzero(off <= reach)
 
 
 def _farthest(graph: coo_matrix, node: int) -> int:

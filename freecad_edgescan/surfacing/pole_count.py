@@ -28,7 +28,7 @@ __all__ = ["averaged", "fit_with_enough_poles", "some_of"]
 
 Array = NDArray[np.float64]
 
-_GROWTH = 1.4
+_GROWTH = (1.4, 2.0)  # a few more poles may fit worse where knots lie unluckily
 _MOST = 200  # poles in one direction
 _SOME = 20_000  # points that are enough to choose
 
@@ -89,18 +89,28 @@ class _Search:
             if self._progress and not self._progress.update(np.nan, best):
                 self.cancelled = True
                 break
+            found = self._better(given, poles, best, points)
+            if found is None:
+                break
+            poles, best = found
+        return poles
+
+    def _better(
+        self, given: Parameterised, poles: tuple[int, int], best: SurfaceFit, points: int
+    ) -> tuple[tuple[int, int], SurfaceFit] | None:
+        """Larger numbers of poles that tell more than they cost, and their fit."""
+        for growth in _GROWTH:
             wider = {
                 trial: self.fit(given, trial, 0)
-                for trial in _wider(poles)
+                for trial in _wider(poles, growth)
                 if max(trial) <= _MOST and 2 * trial[0] * trial[1] <= points
             }
             if not wider:
-                break
+                return None
             trial = min(wider, key=lambda size: self._information(wider[size], points))
-            if self._information(wider[trial], points) >= self._information(best, points):
-                break
-            poles, best = trial, wider[trial]
-        return poles
+            if self._information(wider[trial], points) < self._information(best, points):
+                return trial, wider[trial]
+        return None
 
     def _information(self, fit: SurfaceFit, points: int) -> float:
         """Bayesian information criterion for all points, from some of them; lower is better."""
@@ -126,8 +136,8 @@ def averaged(
     return knots[0], knots[1]
 
 
-def _wider(poles: tuple[int, int]) -> tuple[tuple[int, int], ...]:
-    more = tuple(max(count + 1, round(_GROWTH * count)) for count in poles)
+def _wider(poles: tuple[int, int], growth: float) -> tuple[tuple[int, int], ...]:
+    more = tuple(max(count + 1, round(growth * count)) for count in poles)
     return (more[0], poles[1]), (poles[0], more[1]), (more[0], more[1])
 
 

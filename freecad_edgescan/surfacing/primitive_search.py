@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.spatial.transform import Rotation
 
+from ..cloud.progress import Progress
 from .primitive_shapes import (
     Cone,
     Cylinder,
@@ -43,7 +44,10 @@ _LARGEST = 1e3  # radius, in sizes of the cloud, that is still told from a plane
 
 
 def fitted_primitives(
-    points: Array, normals: Array, kinds: tuple[ShapeKind, ...]
+    points: Array,
+    normals: Array,
+    kinds: tuple[ShapeKind, ...],
+    progress: Progress | None = None,
 ) -> dict[ShapeKind, Primitive]:
     """Shapes of some kinds fitted to points; kinds that cannot be are missing.
 
@@ -52,15 +56,18 @@ def fitted_primitives(
     points : (n, 3) mm, near the origin
     normals : (n, 3) unit vectors of either sign, nan where unknown
     kinds : of plane, cylinder, cone, sphere and quadric
+    progress : told the share that is done; where it answers False, the kinds so far are the result
     """
     size = float(np.linalg.norm(np.ptp(points, axis=0)))
     known = np.isfinite(normals[:, 0])
     draws = _draws(points[known], normals[known]) if known.sum() >= 3 else None
     found: dict[ShapeKind, Primitive] = {}
-    for kind in kinds:
+    for number, kind in enumerate(kinds, 1):
         shape = _fit(kind, points, draws, size)
         if shape is not None:
             found[kind] = shape
+        if progress and found and not progress.update(number / len(kinds), None):
+            break
     return found
 
 

@@ -63,18 +63,27 @@ def _facing(first: BSplineCurve, second: BSplineCurve, at: Array) -> Array:
     slope = np.einsum("mki,mki->mk", chord, first.tangent(at)[:, None] + tangents)
     width = np.linalg.norm(chord, axis=2)
     crossing = (slope[:, :-1] <= 0.0) & (slope[:, 1:] > 0.0)
-    near = np.where(crossing, width[:, :-1], np.inf)
+    # where rails come by again, the other rail is near once more, far along it
+    shares = np.linspace(0.0, 1.0, len(at))[:, None] - np.linspace(0.0, 1.0, _SEARCHED)
+    along = np.abs(shares) * second.length()
+    near = np.where(crossing, (width + along)[:, :-1], np.inf)
     place = np.argmin(near, axis=1)
     rows = np.arange(len(at))
     found = np.isfinite(near[rows, place])
     before, after = slope[rows, place], slope[rows, place + 1]
     share = before / np.where(found, before - after, 1.0)
     other = fine[place] + share * (fine[place + 1] - fine[place])
+    # facing places beyond the ends, as if the rail went on straight with the first one beside it
+    length = second.length()
+    for column, end, sign in ((0, 0.0, 1.0), (-1, 1.0, -1.0)):
+        beyond = ~found & (sign * slope[:, column] >= 0.0)
+        other[beyond] = end - slope[beyond, column] / 2.0 / length
+        found |= beyond
     if found.sum() < 2:
         return at
     other = np.interp(at, at[found], other[found])
     # back to the common ends within about a chord's length
-    length, reach = second.length(), float(np.median(width.min(axis=1)))
+    reach = float(np.median(width.min(axis=1)))
     decay = np.exp(-3.0 * np.stack([at, 1.0 - at]) * length / max(reach, 1e-9 * length))
     other = other - other[0] * decay[0] + (1.0 - other[-1]) * decay[1]
     other[[0, -1]] = 0.0, 1.0

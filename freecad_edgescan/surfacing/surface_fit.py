@@ -7,7 +7,8 @@ Schreve 6.3:
    Parameterization of randomly measured points for least squares fitting of B-spline curves and
    surfaces). Points beyond the base surface's rim are left out.
 2. Knots are averaged over the parameters (Piegl and Tiller 1997, eqs. 9.68 and 9.69).
-3. The surface's poles are solved for; all weights are 1.
+3. The surface's poles are solved for; all weights are 1. Over a closed base surface they are those
+   of a periodic spline: the surface is closed, too, and as smooth over its seam as anywhere.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..cloud.progress import Stage
 from ..geometry import BSplineSurface
 from .fit_result import SurfaceFit
 from .parameterised import parameterised
@@ -66,7 +68,8 @@ def fit_surface(
     smoothing : float
         Weight of the displacement's energy, relative to the points'.
     progress : object with ``update(fraction, so_far) -> bool``, optional
-        Told the fit so far; when it answers False that is the result.
+        Told the fit so far; when it answers False that is the result. Before there is one the
+        result is a fit to the points that have their parameters by then.
 
     Returns
     -------
@@ -96,16 +99,15 @@ def fit_surface(
             f"A tolerance ({tolerance} mm) chooses the number of control points; give "
             "control_points=None and no knots with it, or leave it out."
         )
-    given = parameterised(points, base)
+    given = parameterised(points, base, progress and Stage(progress, 0.0, 0.4))
+    rest = progress and Stage(progress, 0.4, 1.0)
     if knots is not None:
         chosen = _checked(knots, base, degree)
     elif control_points is not None:
         chosen = averaged(given, base, control_points, degree)
     else:
-        return fit_with_enough_poles(
-            given, base, degree, tolerance, corrections, smoothing, progress
-        )
-    return surface_through(given, base, chosen, degree, corrections, smoothing, progress)
+        return fit_with_enough_poles(given, base, degree, tolerance, corrections, smoothing, rest)
+    return surface_through(given, base, chosen, degree, corrections, smoothing, rest)
 
 
 def _checked(

@@ -19,6 +19,8 @@ from ..geometry.surface_interpolation import interpolated_surface
 from .displacement_energy import displacement_energy
 from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised
+from .seam import Unrolled
+from .support import dense_enough, said_of_support
 from .tensor_system import TensorSystem
 
 if TYPE_CHECKING:
@@ -27,9 +29,6 @@ if TYPE_CHECKING:
 __all__ = ["surface_through"]
 
 Array = NDArray[np.float64]
-
-_SPARSE = 0.1
-"""Least number of points per area of the parameters, relative to the median patch that has any."""
 
 
 def surface_through(
@@ -49,17 +48,27 @@ def surface_through(
             f"{nu} × {nv} control points need at least {nu * nv} points, and only {on.sum()} of "
             f"the {len(on)} lie over the base surface; give more points, or fewer control points."
         )
-    start = interpolated_surface(base.evaluate, knots, degree)
-    energy = displacement_energy(knots, degree, _mean_size(start))
+    unrolled = Unrolled(base, knots, degree)
+    wide = unrolled.wide_knots
+    start = interpolated_surface(unrolled.shape(), wide, degree)
+    energy = displacement_energy(wide, degree, _mean_size(start))
     x, u, v = given.points[on], given.u[on], given.v[on]
     for correction in range(corrections + 1):
-        system = TensorSystem(u, v, x - start.evaluate(u, v), knots, degree)
-        surface = BSplineSurface(start.poles + system.solve(energy, smoothing), knots, degree)
+        rows, at_u, at_v = unrolled.repeated(u, v)
+        system = TensorSystem(at_u, at_v, x[rows] - start.evaluate(at_u, at_v), wide, degree)
+        surface = unrolled.rolled_up(start.poles + system.solve(energy, smoothing))
         u, v, distance = surface.closest(x, start=(u, v))
         last = correction == corrections
         if not last and progress is None:
             continue
-        fit = _measured(surface, given, u, v, distance, _supported(system, knots))
+        fit = _measured(
+            surface,
+            given,
+            u,
+            v,
+            distance,
+            dense_enough(unrolled.inner(system.points_of_patch), knots),
+        )
         if progress and not progress.update((correction + 1) / (corrections + 1), fit):
             break
     return fit
@@ -82,28 +91,12 @@ def _measured(
         feet = surface.closest(given.points[off], start=(given.u[off], given.v[off]))
         parameters[0][off], parameters[1][off], lengths[off] = feet
     deviation = signed_deviation(surface, given.points, *parameters, lengths)
-    return SurfaceFit(
-        surface, deviation, parameters, given.outside, supported, _message(given, supported)
+    said = (
+        said_of_outside(given.outside),
+        said_of_support(surface, supported, "there it follows the base surface"),
     )
-
-
-def _supported(system: TensorSystem, knots: tuple[Array, Array]) -> NDArray[np.bool_]:
-    """Which patches hold points about as densely as the others."""
-    area = np.multiply.outer(*(np.diff(np.unique(k)) for k in knots))
-    density = system.points_of_patch / area
-    filled = density[density > 0.0]
-    return np.asarray(density > _SPARSE * np.median(filled))
-
-
-def _message(given: Parameterised, supported: NDArray[np.bool_]) -> str:
-    said = [said_of_outside(given.outside)]
-    missing = int((~supported).sum())
-    if missing:
-        said.append(
-            f"The cloud does not support {missing} of the surface's {supported.size} patches; "
-            "there it follows the base surface."
-        )
-    return " ".join(said).strip()
+    message = " ".join(filter(None, said))
+    return SurfaceFit(surface, deviation, parameters, given.outside, supported, message)
 
 
 def _mean_size(surface: BSplineSurface) -> tuple[float, float]:

@@ -13,10 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import BSplineCurve
+from ..geometry.place_text import place_text
+from .rail_frame import OneRailFrame
 
-__all__ = ["in_order", "refuse_crossing"]
+__all__ = ["cut_to_profiles", "distances_beside", "in_order", "refuse_crossing"]
 
 Array = NDArray[np.float64]
+
+_SAMPLES = 50  # of a profile
 
 
 def in_order(
@@ -26,8 +30,7 @@ def in_order(
 
     Raises
     ------
-    ValueError: not one or two rails, no profile or only one between two rails, a closed rail, or
-        rails that cross.
+    ValueError: not one or two rails, no profile or only one between two rails, or a closed rail.
     """
     if len(rails) not in (1, 2):
         raise ValueError(f"A sweep has one or two rails, not {len(rails)}.")
@@ -44,7 +47,7 @@ def in_order(
     own_rails = [rail.opened().over_range(0.0, 1.0) for rail in rails]
     own_profiles = [profile.opened().over_range(0.0, 1.0) for profile in profiles]
     if len(own_rails) == 1:
-        return tuple(own_rails), tuple(own_profiles), ()
+        return (own_rails[0],), *_turned_like_the_first(own_rails[0], own_profiles)
     said = []
     if _turn_is_better(own_rails, own_profiles):
         own_rails[1] = own_rails[1].reversed()
@@ -58,8 +61,68 @@ def in_order(
         if off[0][0] + off[1][1] > off[0][1] + off[1][0]:
             own_profiles[number] = profile.reversed()
             said.append(f"Profile {number + 1} was turned round.")
-    refuse_crossing(own_rails, "rails")
     return tuple(own_rails), tuple(own_profiles), tuple(said)
+
+
+def cut_to_profiles(
+    rails: tuple[BSplineCurve, ...], profiles: tuple[BSplineCurve, ...], largest_gap: float
+) -> tuple[tuple[BSplineCurve, ...], tuple[str, ...]]:
+    """Two rails in order, ended where the outer profiles meet them, and what was cut off.
+
+    Only ends that are farther from their profiles than the largest gap, mm, are cut.
+    """
+    if len(rails) != 2:
+        return rails, ()
+    cut, said = [], []
+    for number, rail in enumerate(rails):
+        ends = _outer_ends(profiles, number)
+        at, off = rail.closest(ends)
+        apart = np.linalg.norm(rail.evaluate(np.array([0.0, 1.0])) - ends, axis=1)
+        over = (apart > largest_gap) & (off <= largest_gap)
+        first, last = np.where(over, at, [0.0, 1.0])
+        if over.any() and first < last:
+            kept = rail.restricted(float(first), float(last))
+            off_it = rail.length() - kept.length()
+            said.append(f"Rail {number + 1} was cut by {off_it:.3g} mm to end at the profiles.")
+            rail = kept.over_range(0.0, 1.0)
+        cut.append(rail)
+    return tuple(cut), tuple(said)
+
+
+def distances_beside(
+    rails: Sequence[BSplineCurve], profiles: tuple[BSplineCurve, ...]
+) -> NDArray[np.float64]:
+    """How far, (2, 2) mm, the outer profiles end beside either rail, wherever along it."""
+    return np.array(
+        [rail.closest(_outer_ends(profiles, number))[1] for number, rail in enumerate(rails)]
+    )
+
+
+def _outer_ends(profiles: tuple[BSplineCurve, ...], number: int) -> Array:
+    """Ends (2, 3) of the first and of the last profile at one of the rails."""
+    return np.array([profiles[k].evaluate(float(number)) for k in (0, -1)])
+
+
+def _turned_like_the_first(
+    rail: BSplineCurve, profiles: list[BSplineCurve]
+) -> tuple[tuple[BSplineCurve, ...], tuple[str, ...]]:
+    """Profiles along one rail, all in the direction of the first one, seen from the rail."""
+    frames = OneRailFrame(rail)
+    local = []
+    for profile in profiles:
+        points = profile.evaluate(np.linspace(0.0, 1.0, _SAMPLES))
+        at, off = rail.closest(points)
+        place = at[[np.argmin(off)]]
+        local.append((points - rail.evaluate(place)) @ frames(place)[0])
+    turned, said = list(profiles), []
+    for number, points in enumerate(local):
+        as_given, as_turned = (
+            np.linalg.norm(own - local[0], axis=1).sum() for own in (points, points[::-1])
+        )
+        if as_turned < as_given:
+            turned[number] = profiles[number].reversed()
+            said.append(f"Profile {number + 1} was turned round.")
+    return tuple(turned), tuple(said)
 
 
 def _turn_is_better(rails: list[BSplineCurve], profiles: list[BSplineCurve]) -> bool:
@@ -92,7 +155,7 @@ def refuse_crossing(rails: Sequence[BSplineCurve], name: str) -> None:
         u, width = rails[1].closest(point)
         point = rails[1].evaluate(u)
     if width[0] < 1e-3 * usual:
-        where = ", ".join(f"{x:.3f}" for x in point[0])
+        where = place_text(point[0])
         raise ValueError(
             f"The {name} meet or cross near ({where}); end them before, or choose {name} beside "
             "each other."

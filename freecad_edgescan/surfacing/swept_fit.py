@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..cloud.progress import Stage
 from ..geometry import BSplineSurface
 from .blend_fit import BlendFit
 from .even_error_knots import even_error_knots
@@ -21,6 +22,7 @@ from .fit_result import SurfaceFit, said_of_outside, signed_deviation
 from .parameterised import Parameterised, beyond_the_rim, parameterised
 from .pole_count import some_of
 from .rotate_fit import RotateFit
+from .support import dense_enough, said_of_support
 from .swept_surface import SweepModel, SweptSurface
 
 if TYPE_CHECKING:
@@ -61,7 +63,8 @@ def fit_swept_surface(
     control_points : two int
         Number of poles of each rail and of each profile.
     progress : object with ``update(fraction, so_far) -> bool``, optional
-        Told the fit so far; when it answers False that is the result.
+        Told the fit so far, measured at some of the points; when it answers False that is the
+        result.
 
     Returns
     -------
@@ -78,7 +81,7 @@ def fit_swept_surface(
         if count < 4:
             raise ValueError(f"{count} control points are too few for the {name}; give 4 or more.")
     surface = base.to_bspline(1e-2)
-    given = parameterised(points, surface)
+    given = parameterised(points, surface, progress and Stage(progress, 0.0, 0.2))
     poles = 2 * control_points[0] + len(base.profiles) * (control_points[1] - 2)
     on = int((~given.outside).sum())
     if on < 3 * poles:
@@ -98,13 +101,13 @@ def fit_swept_surface(
     for number in range(rounds):
         before = feet.rms
         feet = _improved(fit, x, feet)
-        if progress and not progress.update(
-            (number + 1) / rounds, _measured(fit.sweep, feet.surface, given, knots)
-        ):
-            break
+        if progress:
+            so_far = _measured(fit.sweep, feet.surface, some, knots, "")
+            if not progress.update(0.2 + 0.7 * (number + 1) / rounds, so_far):
+                return so_far
         if before - feet.rms <= _ENOUGH * before and number > 0:
             break
-    return _measured(fit.sweep, feet.surface, given, knots)
+    return _measured(fit.sweep, feet.surface, given, knots, fit.sweep.message)
 
 
 def _knots(base: SweptSurface, poles: tuple[int, int]) -> tuple[Array, Array]:
@@ -126,18 +129,17 @@ def compare_sweep_models(
 ) -> dict[SweepModel, SweptFit]:
     """Both models fitted to the same points, the better one first, and its message says so.
 
-    Parameters and errors are those of `fit_swept_surface`; the base has two profiles.
+    Parameters and errors are those of `fit_swept_surface`; the base has two profiles. When progress
+    answers False during the first fit, there is no second one.
     """
-    fits = [
-        fit_swept_surface(
-            points,
-            SweptSurface(base.rails, base.profiles, model, largest_gap=base.largest_gap),
-            control_points,
-            progress,
-        )
-        for model in SweepModel
-    ]
-    pairs = sorted(zip(SweepModel, fits, strict=True), key=lambda pair: pair[1].rms)
+    fits: dict[SweepModel, SweptFit] = {}
+    for number, model in enumerate(SweepModel):
+        own = SweptSurface(base.rails, base.profiles, model, largest_gap=base.largest_gap)
+        half = Stage(progress, 0.5 * number, 0.5 * (number + 1))
+        fits[model] = fit_swept_surface(points, own, control_points, progress and half)
+        if half.cancelled and number == 0:
+            return fits
+    pairs = sorted(fits.items(), key=lambda pair: pair[1].rms)
     (better, first), (other, second) = pairs
     said = (
         f"The {better} model explains the points better: {first.average:.3g} mm on average, "
@@ -182,29 +184,20 @@ def _measured(
     surface: BSplineSurface,
     given: Parameterised,
     knots: tuple[Array, Array],
+    of_the_sweep: str,
 ) -> SweptFit:
     u, v, distance = surface.closest(given.points, start=(given.u, given.v))
     deviation = signed_deviation(surface, given.points, u, v, distance)
     # rails move, and with them the rim
     outside = given.outside | beyond_the_rim(given.points, surface, u, v)
     supported = _supported(surface, knots, u[~outside], v[~outside])
-    said = [said_of_outside(outside)]
-    missing = int((~supported).sum())
-    if missing:
-        said.append(
-            f"The cloud does not support {missing} of the surface's {supported.size} patches; "
-            "there the rest of the sweep decides."
-        )
-    message = " ".join([*said, sweep.message]).strip()
-    return SweptFit(
-        surface,
-        deviation,
-        (u, v),
-        outside,
-        supported,
-        message,
-        sweep,
+    said = (
+        said_of_outside(outside),
+        said_of_support(surface, supported, "there the rest of the sweep decides"),
+        of_the_sweep,
     )
+    message = " ".join(filter(None, said))
+    return SweptFit(surface, deviation, (u, v), outside, supported, message, sweep)
 
 
 def _supported(
@@ -223,4 +216,4 @@ def _supported(
         np.clip(np.searchsorted(own, at) - 1, 0, len(own) - 2)
         for own, at in zip(spans, middle, strict=True)
     ]
-    return np.asarray(count[np.ix_(*place)] > 0)
+    return np.asarray(dense_enough(count, knots)[np.ix_(*place)])

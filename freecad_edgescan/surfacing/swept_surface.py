@@ -20,10 +20,12 @@ from scipy.interpolate import CubicSpline
 
 from ..geometry import BSplineCurve, BSplineSurface, compatible_curves
 from ..geometry.knot_vectors import clamped_knots, merged_knots
+from ..geometry.place_text import place_text
 from ..geometry.surface_approximation import approximated_surface
 from .rail_frame import OneRailFrame, two_rail_frame
 from .rail_pairing import RailPairing
-from .sweep_joints import in_order
+from .self_crossing import self_crossing
+from .sweep_joints import cut_to_profiles, distances_beside, in_order, refuse_crossing
 
 __all__ = ["Pairing", "SweepModel", "SweptSurface"]
 
@@ -63,10 +65,8 @@ class SweptSurface:
     largest_gap : float
         How far, mm, a profile may end beside its rail. Its ends are moved onto the rails, and the
         points between by their share.
-
-    Attributes
-    ----------
-    message : what was done to bring rails and profiles together
+    cut_rails : bool
+        Whether rails that go on beyond the outer profiles by more than that end where these do.
 
     Raises
     ------
@@ -78,7 +78,8 @@ class SweptSurface:
     model: SweepModel = SweepModel.BLEND
     pairing: Pairing | None = None
     largest_gap: float = 1.0
-    message: str = field(default="", init=False)
+    cut_rails: bool = False
+    _done: tuple[str, ...] = field(default=(), init=False, repr=False)
 
     def __post_init__(self) -> None:
         if self.model not in list(SweepModel):
@@ -89,7 +90,12 @@ class SweptSurface:
             pairing = Pairing.PARAMETER if model is SweepModel.BLEND else Pairing.FACING
         if pairing not in list(Pairing):
             raise ValueError(f"There is no pairing {pairing!r}; choose parameter or facing.")
-        rails, profiles, said = in_order(tuple(self.rails), tuple(self.profiles))
+        rails, profiles, said = in_order(self.rails, self.profiles)
+        if self.cut_rails:
+            rails, said_of_cut = cut_to_profiles(rails, profiles, self.largest_gap)
+            said = *said, *said_of_cut
+        if len(rails) == 2:
+            refuse_crossing(rails, "rails")
         if model is SweepModel.BLEND and (len(rails) != 2 or len(profiles) != 2):
             raise ValueError(
                 f"The blend model takes two rails and two profiles, not {len(rails)} and "
@@ -100,10 +106,15 @@ class SweptSurface:
             ("profiles", profiles),
             ("model", model),
             ("pairing", Pairing(pairing)),
+            ("_done", said),
         ):
             object.__setattr__(self, name, value)
         self._refuse_gaps()
-        object.__setattr__(self, "message", " ".join((*said, *self._folds())))
+
+    @cached_property
+    def message(self) -> str:
+        """What was done to bring rails and profiles together, and where the sweep goes wrong."""
+        return " ".join((*self._done, *self._faults()))
 
     @cached_property
     def _pairs(self) -> RailPairing | None:
@@ -173,9 +184,13 @@ class SweptSurface:
                 f"profile {k + 1}: {start:.3g} and {end:.3g} mm"
                 for k, (start, end) in enumerate(gaps)
             )
+            way = "Let the curves meet"
+            beside = distances_beside(self.rails, self.profiles)
+            if not self.cut_rails and beside.max() <= self.largest_gap:
+                way = "Cut the rails, which go on beyond the profiles, by cut_rails (CutRails)"
             raise ValueError(
                 f"Profiles and rails do not meet. Gaps at the first and second rail: {listed}. "
-                f"Let the curves meet, or allow more than {self.largest_gap:g} mm by largest_gap."
+                f"{way}, or allow more than {self.largest_gap:g} mm by largest_gap (LargestGap)."
             )
 
     def _moved_profile(self, k: int, v: Array) -> Array:
@@ -249,20 +264,25 @@ class SweptSurface:
         profile = np.einsum("mk,kmi->mi", shares[row.ravel()], local[:, column.ravel()])
         return origins[row.ravel()] + np.einsum("mij,mj->mi", frames[row.ravel()], profile)
 
-    def _folds(self) -> tuple[str, ...]:
-        """Whether sections run into each other, so that the surface turns back on itself."""
+    def _faults(self) -> tuple[str, ...]:
+        """Whether sections run into each other, or the surface passes through itself."""
         u, v = np.linspace(0.0, 1.0, 101), np.linspace(0.0, 1.0, 21)
-        step = np.diff(self.evaluate(u[:, None], v), axis=0)
+        grid = self.evaluate(u[:, None], v)
+        step = np.diff(grid, axis=0)
         middle = (u[1:] + u[:-1]) / 2
         onwards = self.frames(middle)[..., 1]
         back = np.einsum("uvi,ui->uv", step, onwards) < 0.0
-        if not back.any():
+        if back.any():
+            place = float(middle[np.argmax(back.sum(axis=1))])
+            return (
+                f"The sweep runs back on itself near u = {place:.2f}: its profiles are too wide "
+                "for the rails' bend there.",
+            )
+        crossed = self_crossing(grid)
+        if crossed is None:
             return ()
-        place = float(middle[np.argmax(back.sum(axis=1))])
-        return (
-            f"The sweep runs back on itself near u = {place:.2f}: its profiles are too wide for "
-            "the rails' bend there.",
-        )
+        where = place_text(grid[crossed])
+        return (f"The sweep passes through itself near ({where}); shorten its rails there.",)
 
     def to_bspline(self, tolerance: float = 1e-3) -> BSplineSurface:
         """The sweep as a B-spline surface over the same parameters.

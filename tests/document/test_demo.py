@@ -47,7 +47,7 @@ def test_a_small_box_gives_edges_near_the_truth_and_all_files(tmp_path: Path) ->
     assert listener.shares[-1] <= 1.0
     read = Part.Shape()
     read.read(str(tmp_path / "demo" / "corebox.step"))
-    assert len(read.Faces) == 2
+    assert len(read.Faces) == 2 + 2  # sweep and loft; base and fitted sweep
     doc = FreeCAD.openDocument(str(tmp_path / "demo" / "corebox.FCStd"))
     try:
         assert len(doc.findObjects("Part::Loft")) == 1
@@ -87,11 +87,15 @@ def test_cancelling_keeps_what_was_found(tmp_path: Path) -> None:
     assert (tmp_path / "corebox.csv").stat().st_size > 100
 
 
-def test_the_loft_follows_the_pipe_and_the_sweep_of_one_profile_cannot(tmp_path: Path) -> None:
+def test_loft_and_fitted_sweep_follow_the_pipe_and_the_sweep_of_one_profile_cannot(
+    tmp_path: Path,
+) -> None:
     table = document.make_demo(tmp_path, box=CoreBox.small(), amplitude=10.0, profiles=9)
-    rows = {line[:12]: line.split() for line in table.splitlines() if line.startswith("pipe 1")}
-    sweep, loft = rows["pipe 1 sweep"], rows["pipe 1 loft "]
-    assert sweep[4] == loft[4] == "yes"
+    rows = {line[:12]: line.split() for line in table.splitlines() if " yes " in line}
+    sweep, loft, fitted = (rows[f"pipe 1 {kind}"] for kind in ("sweep", "loft ", "fitte"))
+    assert sweep[4] == loft[4] == fitted[4] == "yes"
+    assert float(fitted[5]) < 0.03 and float(fitted[6]) < 0.2
+    assert "pipe 1 fitted: the cloud's points are 0.0" in table
     assert float(loft[5]) < 0.1
     assert float(sweep[5]) > 3 * float(loft[5])
 

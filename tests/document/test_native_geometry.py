@@ -100,6 +100,14 @@ def test_a_surface_comes_back_to_the_last_bit(rational: bool) -> None:
     assert (back.weights is None) == (surface.weights is None)
 
 
+def test_a_face_that_was_shown_is_the_same_surface() -> None:
+    sphere = Part.makeSphere(5.0)
+    before = surface_of(sphere)
+    sphere.tessellate(0.1)
+    after = surface_of(sphere)
+    assert np.array_equal(after.poles, before.poles)
+
+
 def test_faces_of_solids_become_surfaces_with_the_faces_normals() -> None:
     cylinder = Part.makeCylinder(5, 10)
     cylinder.Placement = MOVED

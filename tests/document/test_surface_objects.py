@@ -79,6 +79,27 @@ def test_a_surface_is_fitted_to_a_cloud_and_to_its_segment(doc: Any) -> None:
     assert automatic.Maximum.Value < 0.03
 
 
+def test_without_a_base_four_edges_or_the_points_themselves_make_it(doc: Any) -> None:
+    cloud = wavy_cloud(doc)
+    corners = [V(0, 0, 0), V(40, 0, 0), V(40, 30, 0), V(0, 30, 0)]
+    edges = [feature(doc, Part.makeLine(corners[k - 1], corners[k]), "Edge") for k in range(4)]
+    between = document.make_fitted_surface(doc, cloud, control_points=(12, 10), edges=edges)
+    angle, x = np.random.default_rng(0).uniform((0, 0), (2 * np.pi, 40), (4000, 2)).T
+    pipe = np.column_stack([x, 10 * np.cos(angle), 10 * np.sin(angle)])
+    alone = document.make_fitted_surface(doc, document.make_cloud(doc, pipe), None, (16, 5))
+    doc.recompute()
+    assert between.Maximum.Value < 0.02
+    assert between.Shape.Area == pytest.approx(40 * 30, rel=0.01)
+    assert "cylinder" in alone.Message and alone.Maximum.Value < 0.02
+    surface = surface_of(alone.Shape)
+    assert surface.closed == (True, False)
+    (u0, u1), (v0, v1) = surface.parameter_range
+    at = surface.evaluate(np.linspace(u0, u1, 60)[:, None], np.linspace(v0, v1, 9))
+    assert np.allclose(np.hypot(at[..., 1], at[..., 2]), 10.0, atol=0.02)
+    with pytest.raises(ValueError, match="3 edges are given; give a base surface, or four"):
+        document.make_fitted_surface(doc, cloud, edges=edges[:3])
+
+
 def test_an_extension_goes_on_where_the_surface_ends(doc: Any) -> None:
     base = plane(doc)
     longer = document.make_extended_surface(doc, base, "u1", 0.5)

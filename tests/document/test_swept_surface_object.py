@@ -154,6 +154,113 @@ def test_what_cannot_be_swept_says_why_and_keeps_the_last_shape(
     assert swept.Shape.Area == pytest.approx(area)
 
 
+def test_profiles_drawn_the_other_way_and_long_rails_are_mended_and_said(doc: Any) -> None:
+    rails, profiles = half_pipe(doc)
+    rails[1].Shape = Part.LineSegment(V(-5, -17, 0), V(68, -17, 0)).toShape()
+    profiles[1].Shape = Part.Arc(V(60, -17, 0), V(60, 0, -17), V(60, 17, 0)).toShape()
+    swept = document.make_swept_surface(doc, rails, profiles)
+    doc.recompute()
+    assert "Invalid" not in swept.State
+    assert swept.Message == (
+        "Profile 2 was turned round. Rail 2 was cut by 13 mm to end at the profiles."
+    )
+    assert swept.Shape.Area == pytest.approx(np.pi * 17 * 60, rel=1e-3)
+    swept.CutRails = False
+    doc.recompute()
+    assert "Invalid" in swept.State and "(CutRails)" in swept.Message
+
+
+def _over(swept: Any, share: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Parameters all over a swept object's face."""
+    (u0, u1), (v0, v1) = surface_of(swept.Shape).parameter_range
+    return u0 + share * (u1 - u0), (v0 + share * (v1 - v0)).T
+
+
+def test_extrusions_and_revolutions_are_offered_as_what_they_are(doc: Any) -> None:
+    pipe = document.make_swept_surface(doc, *half_pipe(doc))
+    bend = [
+        feature(doc, Part.makeCircle(radius, V(0, 0, 0), V(0, 0, 1), 0, 90), "Rail")
+        for radius in (30, 50)
+    ]
+    ends = [
+        feature(doc, Part.Arc(30 * way, 40 * way - V(0, 0, 10), 50 * way).toShape(), "Profile")
+        for way in (V(1, 0, 0), V(0, 1, 0))
+    ]
+    turned = document.make_swept_surface(doc, bend, ends)
+    doc.recompute()
+    areas = [swept.Shape.Area for swept in (pipe, turned)]
+    for swept in (pipe, turned):
+        swept.Exact = True
+    doc.recompute()
+    assert pipe.Shape.Faces[0].Surface.TypeId == "Part::GeomSurfaceOfExtrusion"
+    assert turned.Shape.Faces[0].Surface.TypeId in (
+        "Part::GeomSurfaceOfRevolution",
+        "Part::GeomToroid",
+    )
+    share = np.linspace(0, 1, 7)[:, None]
+    x, y, z = np.moveaxis(surface_of(pipe.Shape).evaluate(*_over(pipe, share)), -1, 0)
+    assert np.allclose(np.hypot(y, z), 17.0, atol=1e-7) and np.ptp(x) == pytest.approx(60)
+    x, y, z = np.moveaxis(surface_of(turned.Shape).evaluate(*_over(turned, share)), -1, 0)
+    assert np.allclose(np.hypot(np.hypot(x, y) - 40, z), 10.0, atol=1e-3)
+    assert [swept.Shape.Area for swept in (pipe, turned)] == pytest.approx(areas, rel=1e-3)
+    ends[1].Shape = Part.makeLine(V(0, 30, 0), V(0, 50, 0))
+    doc.recompute()
+    assert "neither an extrusion nor a revolution" in turned.Message
+
+
+def test_a_sweep_through_itself_is_made_and_said(doc: Any) -> None:
+    a = np.linspace(-0.6, np.pi + 0.6, 60)[:, None]  # half a figure of eight
+    path = np.hstack([80 * np.sin(a), 40 * np.sin(2 * a), a])
+    way = np.hstack([80 * np.cos(a), 80 * np.cos(2 * a), 0 * a])
+    left = np.cross([0.0, 0, 1], way) / np.linalg.norm(way, axis=1)[:, None]
+    rails, ends = [], []
+    for across in (-8.0, 8.0):
+        curve = Part.BSplineCurve()
+        curve.interpolate([V(*row) for row in path + across * left])
+        rails.append(feature(doc, curve.toShape(), "Rail"))
+        ends.append([rails[-1].Shape.valueAt(t) for t in rails[-1].Shape.ParameterRange])
+    dishes = [
+        feature(doc, Part.Arc(one, (one + two) * 0.5 - V(0, 0, 7), two).toShape(), "Dish")
+        for one, two in zip(*ends, strict=True)
+    ]
+    swept = document.make_swept_surface(doc, rails, dishes, model="rotate")
+    doc.recompute()
+    assert "Invalid" not in swept.State
+    assert "passes through itself near" in swept.Message
+
+
+def test_a_missing_quarter_and_points_beyond_the_rim_are_said(doc: Any) -> None:
+    angle, x = np.random.default_rng(0).uniform((0, -4), (np.pi, 60), (4000, 2)).T
+    there = (x < 30) | (angle < np.pi / 2)
+    points = np.column_stack([x, 17 * np.cos(angle), -17 * np.sin(angle)])[there]
+    segment = document.make_cloud(doc, points)
+    swept = document.make_swept_surface(
+        doc, *half_pipe(doc), segment, "rotate", control_points=(11, 7), distance=5.0
+    )
+    free = document.make_fitted_surface(doc, segment, swept, (15, 13), distance=5.0)
+    doc.recompute()
+    for surface in (swept, free):
+        assert "Invalid" not in surface.State
+        assert "The cloud does not support" in surface.Message
+        assert "of its area, the largest piece from u = " in surface.Message
+        assert surface.Supported == pytest.approx(75, abs=12)
+    beyond = document.make_deviation_map(doc, segment, swept)
+    doc.recompute()
+    outside = int((points[:, 0] < -0.1).sum())
+    assert f"{len(points) - beyond.PointCount} points beyond the rim" in beyond.Message
+    assert len(points) - beyond.PointCount >= outside
+
+
+def test_fewer_points_than_unknowns_are_said(doc: Any) -> None:
+    rails, profiles = half_pipe(doc)
+    base = document.make_swept_surface(doc, rails, profiles)
+    few = document.make_cloud(doc, on_half_pipe(40, 17.0))
+    fit = document.make_fitted_surface(doc, few, base, (12, 6))
+    doc.recompute()
+    assert fit.Message.startswith("12 × 6 control points need at least 72 points, and only 40")
+    assert "Invalid" in fit.State
+
+
 def test_wrong_arguments_make_nothing(doc: Any) -> None:
     rails, profiles = half_pipe(doc)
     count = len(doc.Objects)

@@ -12,13 +12,7 @@ import freecad_edgescan as es
 from freecad_edgescan.experiments.doe_design import trial
 from freecad_edgescan.experiments.published_surfaces import PublishedSurface, published_surface
 from freecad_edgescan.experiments.surface_route import published_route, surface_route
-
-
-def across_the_joint(surface):
-    """Derivatives by the normalised v on both sides of the knot of three, at u = 0.5."""
-    knots = surface.knots[1]
-    at, scale = knots[4], knots[-1] - knots[0]
-    return [scale * part.derivative(0.5, at, 0, 1) for part in surface.split(1, at)]
+from freecad_edgescan.experiments.surface_tables import at_the_joint, surface_tables
 
 
 def test_table_3_comes_out_to_every_printed_digit():
@@ -40,13 +34,13 @@ def test_the_rule_printed_with_table_3_gives_other_weights():
 
 def test_table_4_is_reached_on_both_sides():
     longer = es.extend_surface(published_surface(PublishedSurface.ORIGINAL), "v0", 0.25, tau=1.0)
-    for side in across_the_joint(longer):
+    for side in at_the_joint(longer):
         assert np.allclose(side, [12, 0, 13.8], atol=1e-12)
 
 
 def test_autocads_extension_has_a_crease():
     surface = published_surface(PublishedSurface.EXTENDED_BY_AUTOCAD)
-    before, after = across_the_joint(surface)
+    before, after = at_the_joint(surface)
     assert np.allclose(after, [12, 0, 13.8])
     cosine = before @ after / np.linalg.norm(before) / np.linalg.norm(after)
     assert np.degrees(np.arccos(cosine)) > 8
@@ -76,3 +70,13 @@ def test_the_printed_surfaces_extended_meet_a_tenth_of_a_millimetre_off_the_edge
 
 def test_our_own_fits_to_such_a_cloud_meet_nearer_to_the_edge_than_published():
     assert surface_route().average < 0.08
+
+
+def test_all_of_it_is_printed_beside_what_was_published():
+    text = surface_tables()
+    joint = text.split("Shetty and White, ours")[1].splitlines()[0]
+    assert joint.count("(12.0, 0.0, 13.8)") == 2
+    rows = {line[:30]: [float(x) for x in line[54:].split()] for line in text.splitlines()[-4:]}
+    printed, ours, lines, patches = rows.values()
+    assert printed == pytest.approx([0.107, 0.267], abs=0.0015)
+    assert ours[0] < 0.08 and patches[0] < 0.08 and lines[0] < 0.094

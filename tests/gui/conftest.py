@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import sys
 import time
 import weakref
 from collections.abc import Callable, Iterator
@@ -123,6 +124,14 @@ class Window:
             event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
             QtWidgets.QApplication.sendEvent(self.viewport, event)
             self.settle(0.02)
+
+    @property
+    def threads(self) -> int:
+        """Threads that run Python now.
+
+        Those of Qt count, too; what `threading` still lists of them when they are gone does not.
+        """
+        return len(sys._current_frames())
 
     def trace(self) -> tuple[object, ...]:
         """All that a cancelled command must leave as it was."""

@@ -16,12 +16,17 @@ Part = pytest.importorskip("Part")
 
 @pytest.fixture
 def answer_file_dialog(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """Chooses files in the file dialog."""
+    """Chooses files in the file dialog, and answers the dialog about them."""
     from freecad_edgescan.gui.qt import QtWidgets
 
-    def choose(*paths: Path) -> None:
+    def choose(*paths: Path, **entered: Any) -> None:
+        from freecad_edgescan.gui.import_dialog import ImportDialog
+
         answer = ([str(path) for path in paths], "")
         monkeypatch.setattr(QtWidgets.QFileDialog, "getOpenFileNames", lambda *_: answer)
+        monkeypatch.setattr(ImportDialog, "asked", lambda _: True)
+        for name, value in entered.items():
+            monkeypatch.setattr(ImportDialog, name, value)
 
     return choose
 
@@ -153,6 +158,7 @@ def test_loft_joins_the_edges_in_the_order_of_selection(window: Any) -> None:
 def test_with_the_wrong_selection_one_sentence_says_what_to_select(
     window: Any, name: str, problems: list[str]
 ) -> None:
+    add_edge(window.doc, "Rail", (0, 0, 0), (0, 0, 10))
     before = window.trace()
     select(window.doc.findObjects("Points::Feature")[0])
     Gui.runCommand(name)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import gc
-import threading
 from typing import Any
 
 import numpy as np
@@ -161,14 +160,14 @@ def test_escape_leaves_no_trace(window: Any) -> None:
 
 def test_cancel_during_the_scan_leaves_no_trace(window: Any) -> None:
     before = window.trace()
-    threads = threading.active_count()
+    threads = window.threads
     Gui.runCommand("EdgeScan_ScanEdge")
     window.settle(0.2)
     window.click(ON_THE_RIDGE)
     window.button("Cancel").click()
     window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.trace() == before
-    assert threading.active_count() <= threads
+    assert window.threads <= threads
 
 
 def test_a_click_on_the_background_is_answered_by_a_sentence(window: Any) -> None:

@@ -17,12 +17,14 @@ def test_two_sides_that_face_the_light_differently_are_told_apart(
     window: Any, tmp_path: Path
 ) -> None:
     from freecad_edgescan import document
+    from freecad_edgescan.cloud import read_cloud
     from freecad_edgescan.gui.import_cloud_command import import_clouds
 
     (first,) = window.doc.findObjects("Points::Feature")
     points = document.points_of(first)
     np.savetxt(tmp_path / "again.xyz", points)
-    (cloud,) = import_clouds([str(tmp_path / "again.xyz")])
+    path = tmp_path / "again.xyz"
+    (cloud,) = import_clouds({path: read_cloud(path)})
     assert cloud.ViewObject.DisplayMode == "Color"
     grey = np.array([colour[0] for colour in cloud.Color])
     assert grey.min() >= 0.34

@@ -74,6 +74,13 @@ def test_from_rails_to_a_deviation_map(pipe: dict[str, Any]) -> None:
     plane = feature(doc, Part.makePlane(80, 60, V(-10, -30, -8)), "Plane")
     curve = run(doc, "EdgeScan_IntersectSurfaces", longer, plane)
     assert curve.CurveCount == 2
+    caps = [
+        feature(doc, Part.makePlane(40, 40, V(x, -20, -20), V(1, 0, 0)), "Cap") for x in (5, 55)
+    ]
+    for cap in caps:
+        cap.Placement.Base = V(0, -20 - cap.Shape.BoundBox.YMin, -20 - cap.Shape.BoundBox.ZMin)
+    shell = run(doc, "EdgeScan_TrimmedShell", swept, plane, *caps)
+    assert shell.Closed and shell.FaceCount == 4
     shown = run(doc, "EdgeScan_DeviationMap", cloud, fitted)
     assert shown.ViewObject.DisplayMode == "Color"
     doc.undo()
@@ -85,14 +92,18 @@ def test_from_rails_to_a_deviation_map(pipe: dict[str, Any]) -> None:
     [
         *("EdgeScan_CloudSection", "EdgeScan_SweptSurface", "EdgeScan_CloudSegment"),
         *("EdgeScan_FittedSurface", "EdgeScan_ExtendSurface", "EdgeScan_IntersectSurfaces"),
-        "EdgeScan_DeviationMap",
+        *("EdgeScan_TrimmedShell", "EdgeScan_DeviationMap"),
     ],
 )
 def test_with_the_wrong_selection_one_sentence_says_what_to_select(
     window: Any, name: str, problems: list[str]
 ) -> None:
+    feature(window.doc, Part.makeLine(V(0, 0, 0), V(9, 0, 0)), "Line")
     before = window.trace()
-    select(window.doc.findObjects("Points::Feature")[0])
+    select()
+    clouds = window.doc.findObjects("Points::Feature")
+    if name != "EdgeScan_FittedSurface":  # which can do with a cloud alone
+        select(clouds[0])
     Gui.runCommand(name)
     assert len(problems) == 1
     assert "Select" in problems[0]

@@ -86,11 +86,11 @@ class Known:
 
     def measure(self, predicted, half_width, last):
         self.predicted.append(predicted)
-        self.widths.append(half_width)
+        self.widths += half_width.tolist()
         stop = self.fails.pop(0) if self.fails else None
         if stop is not None:
-            return Station(predicted, stop=stop)
-        return self.station(self.edge.nearest(predicted.origin[0]))
+            return [Station(predicted, stop=stop)]
+        return [self.station(self.edge.nearest(predicted.origin[0]))]
 
     def ending(self, last, stop):
         return stop
@@ -203,7 +203,7 @@ def test_the_pitch_changes_by_half_to_threefold_to_have_the_chord_height(wanted,
     edge, step = Circle(6.0), 0.5
     section = Known(edge)
     gait = ProbeGait(settings(steering=steering, chord_height=wanted * chord_height(6.0, step)))
-    station = gait.stride(section, walked(edge, step))
+    (station,) = gait.stride(section, walked(edge, step))
     assert station.step == pytest.approx(ratio * step, rel=2e-3)
     ahead = section.predicted[0].origin[0] - edge.at(0.0)[0]
     way = edge.at(0.0)[1]
@@ -218,12 +218,12 @@ def test_as_printed_the_height_over_two_steps_is_the_ratio_itself(wanted, ratio)
     edge, step = Circle(6.0), 0.5
     height = wanted * chord_height(6.0, 2.0 * step)
     gait = ProbeGait(settings(literal=True, chord_height=height))
-    assert gait.stride(Known(edge), walked(edge, step)).step == pytest.approx(ratio * step)
+    assert gait.stride(Known(edge), walked(edge, step))[0].step == pytest.approx(ratio * step)
 
 
 def test_without_a_chord_height_the_pitch_stays_as_it_was_given():
     for edge in (Straight(), Circle(2.0)):
-        assert ProbeGait(settings()).stride(Known(edge), walked(edge, 0.7)).step == PITCH
+        assert ProbeGait(settings()).stride(Known(edge), walked(edge, 0.7))[0].step == PITCH
 
 
 def test_the_first_steps_have_the_pitch_that_was_given():
@@ -233,7 +233,7 @@ def test_the_first_steps_have_the_pitch_that_was_given():
     gait = ProbeGait(settings(chord_height=0.01))
     stations = [section.station(0.0)]
     for _ in range(4):
-        stations.append(gait.stride(section, stations))
+        stations += gait.stride(section, stations)
     assert [station.step for station in stations[1:3]] == pytest.approx([PITCH, PITCH])
     assert stations[3].step == pytest.approx(3.0 * PITCH)
 
@@ -242,7 +242,7 @@ def test_the_pitch_grows_to_three_times_what_was_given_and_no_further():
     edge = Straight()
     gait = ProbeGait(settings(chord_height=0.01))
     assert gait.longest_step == pytest.approx(3.0 * PITCH)
-    assert gait.stride(Known(edge), walked(edge, 2.5 * PITCH)).step == pytest.approx(3.0 * PITCH)
+    assert gait.stride(Known(edge), walked(edge, 2.5 * PITCH))[0].step == pytest.approx(3.0 * PITCH)
     assert ProbeGait(settings()).longest_step == pytest.approx(PITCH)
 
 
@@ -250,13 +250,13 @@ def test_the_pitch_grows_to_three_times_what_was_given_and_no_further():
 def test_the_pitch_never_shrinks_below_one_and_a_half_cloud_pitches(step, shrunk):
     edge = Circle(1.0)
     gait = ProbeGait(settings(chord_height=1e-4, cloud_pitch=0.4))
-    assert gait.stride(Known(edge), walked(edge, step)).step == pytest.approx(shrunk)
+    assert gait.stride(Known(edge), walked(edge, step))[0].step == pytest.approx(shrunk)
 
 
 def test_without_a_cloud_the_pitch_never_shrinks_below_the_line_pitch():
     edge = Circle(1.0)
     gait = ProbeGait(settings(chord_height=1e-6, line_pitch=0.4))
-    assert gait.stride(Known(edge), walked(edge, 0.6)).step == pytest.approx(0.4)
+    assert gait.stride(Known(edge), walked(edge, 0.6))[0].step == pytest.approx(0.4)
 
 
 @pytest.mark.parametrize("literal", [False, True])
@@ -268,7 +268,7 @@ def test_on_a_circle_the_pitch_settles_where_the_chord_has_its_height(literal):
     gait = ProbeGait(settings(literal=literal, steering="curvature", chord_height=height))
     stations = [section.station(0.0)]
     for _ in range(60):
-        stations.append(gait.stride(section, stations))
+        stations += gait.stride(section, stations)
     steps = np.array([station.step for station in stations[-24:]])
     assert np.exp(np.log(steps).mean()) == pytest.approx(2.0, rel=0.05)
     assert (np.ptp(steps) > 0.5) == literal
@@ -289,7 +289,7 @@ REASONS = [Stop.NO_EDGE, Stop.TOO_FEW_POINTS, Stop.OFF_OBJECT, Stop.REPEATED_POI
 @pytest.mark.parametrize("bad", [1, 2, 3])
 def test_bad_lines_are_passed_over_as_far_as_coasting_goes(bad):
     section = Known(Straight(), REASONS[:bad])
-    station = ProbeGait(settings()).stride(section, walked(section.edge))
+    (station,) = ProbeGait(settings()).stride(section, walked(section.edge))
     assert station.stop is None
     assert station.step == pytest.approx((bad + 1) * PITCH)
     assert station.frame.origin[0] == pytest.approx(section.edge.at(station.step)[0])
@@ -301,7 +301,7 @@ def test_bad_lines_are_passed_over_as_far_as_coasting_goes(bad):
 def test_one_bad_line_more_ends_the_walk_where_it_was_and_for_the_first_reason(coasting):
     section = Known(Straight(), REASONS)
     stations = walked(section.edge)
-    station = ProbeGait(settings(coasting)).stride(section, stations)
+    (station,) = ProbeGait(settings(coasting)).stride(section, stations)
     assert station.stop is REASONS[0]
     assert len(section.predicted) == coasting + 1
     assert np.array_equal(station.frame.origin, stations[-1].frame.origin)
@@ -309,7 +309,7 @@ def test_one_bad_line_more_ends_the_walk_where_it_was_and_for_the_first_reason(c
 
 def test_bad_lines_are_passed_over_round_a_circle():
     section = Known(Circle(8.0), REASONS[:2])
-    station = ProbeGait(settings(steering="curvature")).stride(section, walked(section.edge))
+    (station,) = ProbeGait(settings(steering="curvature")).stride(section, walked(section.edge))
     assert section.edge.nearest(station.frame.origin[0]) == pytest.approx(3.0 * PITCH)
     assert section.edge.off(section.predicted[-1].origin[0]) == pytest.approx(0.0, abs=1e-9)
 
@@ -319,7 +319,7 @@ def test_bad_lines_are_passed_over_round_a_circle():
 def test_a_machine_that_failed_is_not_asked_again(reason, before):
     """Its failure is the reason, whatever was passed over before."""
     section = Known(Straight(), [*REASONS[:before], reason])
-    station = ProbeGait(settings()).stride(section, walked(section.edge))
+    (station,) = ProbeGait(settings()).stride(section, walked(section.edge))
     assert station.stop is reason
     assert len(section.predicted) == before + 1
 

@@ -24,13 +24,7 @@ def probed(wedge, degrees, radius, fillet=0.0, convex=True, approach=True, **mor
     )
 
 
-ACUTE = pytest.mark.xfail(strict=True, reason="an edge of 140° to 178° is found on the fillet")
-FILLETS = [
-    *[(degrees, radius) for degrees in (90, 120) for radius in (1.0, 2.0, 3.0)],
-    (60, 1.0),
-    (60, 2.0),
-    pytest.param(60, 3.0, marks=ACUTE),
-]
+FILLETS = [(degrees, radius) for degrees in (60, 90, 120) for radius in (1.0, 2.0, 3.0)]
 
 
 @pytest.mark.parametrize(("degrees", "radius"), FILLETS)

@@ -81,7 +81,7 @@ def test_few_points_that_their_neighbours_contradict_give_way():
 def test_sections_that_share_nothing_and_scatter_are_averaged_by_their_own_variance():
     """Errors drawn with the stated covariance: what is stated of their mean is its scatter."""
     off, stated = [], []
-    for seed in range(40):
+    for seed in range(200):
         measured, edge = straight_sections(seed)
         after = smoothed(measured, edge, 0.5, closed=False, straight=True)
         off.append(after.point[8:-8, 1])
@@ -101,7 +101,9 @@ def straight_sections(seed=None):
     if seed is not None:
         scatter = SIGMA * np.random.default_rng(seed).normal(size=(count, 2))
     axes = across_axes(frames.normals)
-    measured = SimpleNamespace(frames=frames, at=origin[:, 0], half_length=np.full(count, 0.25))
+    measured = SimpleNamespace(
+        frames=frames, at=origin[:, 0], half_length=np.full(count, 0.25), asked=8
+    )
     edge = SimpleNamespace(
         point=origin + np.einsum("ma,mai->mi", scatter, axes),
         covariance=np.broadcast_to(SIGMA**2 * np.eye(2), (count, 2, 2)),

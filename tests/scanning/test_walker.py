@@ -69,6 +69,11 @@ class KnownEdge:
         ).x
 
     def measure(self, predicted, half_width, last):
+        return [
+            self.measure_one(predicted[k], width) for k, width in enumerate(half_width.tolist())
+        ]
+
+    def measure_one(self, predicted, half_width):
         self.widths.append(half_width)
         if self.curve is straight:
             self.at = predicted.origin[0, 0]

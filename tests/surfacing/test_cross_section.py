@@ -138,6 +138,20 @@ def test_points_along_a_curve_come_into_order_whatever_way_it_winds():
     assert turn[shuffled][rows[0]] < 0.1
 
 
+def test_between_two_concave_edges_the_walls_do_not_belong_to_the_profile():
+    random = np.random.default_rng(0)
+    bottom = random.uniform((0, -8, 0), (20, 8, 0), (6000, 3))
+    walls = np.vstack([random.uniform((0, y, 0), (20, y, 6), (2000, 3)) for y in (-8, 8)])
+    points = np.vstack([bottom, walls]) + random.normal(0, 0.01, (10_000, 3))
+    rails = [
+        es.BSplineCurve(np.array([[0.0, y, 0], [20, y, 0]]), np.array([0.0, 0, 1, 1]), 1)
+        for y in (-8, 8)
+    ]
+    section = es.cross_section(es.PointCloud(points), rails[0], 0.5, rails[1])
+    assert section.kind == "line"
+    assert np.abs(section.curve.evaluate(np.linspace(0, 1, 9))[:, 2]).max() < 0.01
+
+
 def test_a_piece_beyond_a_gap_does_not_belong_to_the_chain():
     x = np.concatenate([np.linspace(0, 10, 200), np.linspace(20, 30, 200)])
     points = np.stack([x, 0 * x, 0 * x], axis=1)

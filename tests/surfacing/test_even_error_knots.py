@@ -33,6 +33,13 @@ def test_a_curve_that_bends_evenly_keeps_even_knots():
     assert np.allclose(knots[3:-3], np.linspace(0, 1, 7), atol=0.05)
 
 
+def test_rounding_is_no_error_to_share():
+    at = np.linspace(0, 1, 600)
+    rough = np.random.default_rng(0).normal(0, 1e-10, (600, 3))
+    knots = even_error_knots(at, 60 * at[:, None] * [1.0, 0, 0] + rough, 11, 3)
+    assert np.allclose(np.diff(np.unique(knots)), 1 / 8)
+
+
 def test_a_straight_line_has_no_error_to_share():
     knots = even_error_knots(AT, np.outer(AT, [3.0, 4, 0]), 6, 3)
     assert np.all(np.diff(knots[3:-3]) > 0)

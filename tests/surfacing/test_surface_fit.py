@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 from scipy import sparse
@@ -92,7 +94,15 @@ def test_a_missing_quarter_is_said_and_filled_from_the_base(wave):
     assert not fit.is_supported(0.8, 0.8) and fit.is_supported(0.3, 0.7)
     share = np.linspace(0, 1, 101)
     assert fit.is_supported(share[:, None], share).mean() == pytest.approx(0.75, abs=0.06)
-    assert "does not support" in fit.message
+    said = re.search(
+        r"does not support (\d+) of the surface's (\d+) patches, (\d+) % of its area, the largest "
+        r"piece from u = ([\d.]+) to ([\d.]+) and v = ([\d.]+) to ([\d.]+), near",
+        fit.message,
+    )
+    patches, of, percent, *limits = (float(number) for number in said.groups())
+    assert patches == (~fit.supported).sum() and of == fit.supported.size
+    assert percent == pytest.approx(25, abs=6)
+    assert limits == pytest.approx([0.5, 1.0, 0.5, 1.0], abs=0.08)
     assert error_of(fit, wave, keep=there).max() < 0.05
     # the base surface is the true one: only what the cloud's rim says of the gap is wrong
     assert error_of(fit, wave).max() < 0.5
@@ -149,11 +159,11 @@ def test_progress_sees_the_fit_and_may_end_it(flat, wave):
 
         def update(self, fraction, so_far):
             self.seen = (*self.seen, (fraction, so_far))
-            return len(self.seen) < 2
+            return len(self.seen) < 3
 
     told = Told()
     fit = es.fit_surface(cloud_of(wave), flat, (9, 7), corrections=4, progress=told)
-    assert [fraction for fraction, _ in told.seen] == [0.2, 0.4]
+    assert [fraction for fraction, _ in told.seen] == pytest.approx([0.4, 0.52, 0.64])
     assert told.seen[-1][1] is fit
 
 
@@ -177,3 +187,38 @@ def test_what_cannot_be_fitted_is_refused_with_numbers(flat):
         es.fit_surface(points, flat, (4, 4), smoothing=0)
     with pytest.raises(ValueError, match="0 or more"):
         es.fit_surface(points, flat, (4, 4), corrections=-1)
+
+
+def test_over_a_whole_pipe_the_fit_is_closed_and_smooth_at_its_seam():
+    rng = np.random.default_rng(0)
+    angle, x = rng.uniform((0, 0), (2 * np.pi, 40), (6000, 2)).T
+    radius = 10 + 0.3 * np.cos(3 * angle + 0.1 * x) + rng.normal(0, 0.02, 6000)
+    points = np.column_stack([x, radius * np.cos(angle), radius * np.sin(angle)])
+    base = es.base_surface(points, kind="cylinder").surface
+    fit = es.fit_surface(points, base, (20, 8))
+    assert fit.surface.closed == (True, False)
+    assert fit.average == pytest.approx(0.02 * np.sqrt(2 / np.pi), rel=0.1)
+    (first, last), (low, high) = fit.surface.parameter_range
+    v = np.linspace(low, high, 11)
+    for order in (0, 1, 2):
+        sides = [fit.surface.derivative(u, v, order, 0) for u in (first, last)]
+        assert np.allclose(*sides, atol=1e-8 * max(1.0, np.abs(sides[0]).max()))
+    # beside the seam it is no farther from the truth than elsewhere
+    at = fit.surface.evaluate(np.linspace(first, last, 201)[:, None], v)
+    turn = np.arctan2(at[..., 2], at[..., 1])
+    error = np.abs(
+        np.hypot(at[..., 1], at[..., 2]) - 10 - 0.3 * np.cos(3 * turn + 0.1 * at[..., 0])
+    )
+    inner = error[:, 2:-2]
+    assert inner[[*range(10), *range(-10, 0)]].max() < 1.5 * inner[10:-10].max()
+    assert error.mean() < 0.01
+
+
+def test_few_control_points_close_too():
+    angle, x = np.random.default_rng(0).uniform((0, 0), (2 * np.pi, 40), (3000, 2)).T
+    points = np.column_stack([x, 10 * np.cos(angle), 10 * np.sin(angle)])
+    base = es.base_surface(points, kind="cylinder").surface
+    fit = es.fit_surface(points, base, (7, 4))
+    assert fit.surface.closed == (True, False) and fit.surface.poles.shape == (7, 4, 3)
+    automatic = es.fit_surface(points, base, None, tolerance=0.01)
+    assert automatic.surface.closed == (True, False) and automatic.maximum < 0.01

@@ -3,13 +3,16 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
 import freecad_edgescan as es
-from freecad_edgescan.geometry import Circle
+from freecad_edgescan.geometry import Circle, fit_curve
 from freecad_edgescan.geometry.exact_surfaces import circular_arc
 from freecad_edgescan.surfacing import SweepKind, sweep_kinds
+from freecad_edgescan.surfacing.self_crossing import self_crossing
 
 X, Y, Z = np.eye(3)
 
@@ -150,6 +153,61 @@ def test_small_gaps_are_closed_on_the_rails():
     assert np.allclose(sweep.evaluate(0.0, SHARE), profiles[0].evaluate(SHARE) - 0.4 * X, atol=1e-9)
 
 
+def test_profiles_along_one_rail_are_turned_like_the_first_and_that_is_said():
+    rail = arc([0, 0, 0], Z, 30.0, X, 0.0, 1.2)
+    hooks = []
+    for t in (0.0, 0.5, 1.0):
+        place = rail.evaluate(1.2 * t)
+        out = place / np.linalg.norm(place)
+        hooks.append(
+            es.BSplineCurve([place, place + 5 * out, place + 7 * Z], [0, 0, 0, 1, 1, 1], 2)
+        )
+    expected = es.SweptSurface([rail], hooks, "rotate")
+    turned = es.SweptSurface([rail], (hooks[0], hooks[1].reversed(), hooks[2]), "rotate")
+    assert np.allclose(turned.evaluate(0.3, 0.8), expected.evaluate(0.3, 0.8), atol=1e-9)
+    assert turned.message == "Profile 2 was turned round." and expected.message == ""
+
+
+def longer(rail, before, after):
+    """The same curve over a longer range of its straight line."""
+    start, end = rail.evaluate(0.0), rail.evaluate(1.0)
+    way = (end - start) / np.linalg.norm(end - start)
+    return line(start - before * way, end + after * way)
+
+
+def test_rails_beyond_the_profiles_are_offered_to_be_cut_and_cut():
+    rails = [line([0, y, 0], [50, y, 0]) for y in (0.0, 20.0)]
+    ends = [line([x, 0, 0], [x, 20, 0]) for x in (0, 50)]
+    expected = es.SweptSurface(rails, ends, "rotate")
+    long = [rails[0], longer(rails[1], 4.0, 7.5)]
+    with pytest.raises(ValueError, match=r"1: 0 and 4 mm; profile 2: 0 and 7.5 mm. Cut the rails"):
+        es.SweptSurface(long, ends, "rotate")
+    cut = es.SweptSurface(long, ends, "rotate", cut_rails=True)
+    assert cut.message == "Rail 2 was cut by 11.5 mm to end at the profiles."
+    assert np.allclose(
+        cut.evaluate(SHARE[:, None], SHARE), expected.evaluate(SHARE[:, None], SHARE), atol=1e-9
+    )
+
+
+def test_cutting_leaves_small_gaps_to_the_profiles_and_cannot_mend_short_rails():
+    rails, profiles = free_curves(gap=0.4)
+    cut = es.SweptSurface(rails, profiles, "rotate", pairing="parameter", cut_rails=True)
+    assert np.allclose(cut.evaluate(SHARE, 0.0), rails[0].evaluate(SHARE), atol=1e-9)
+    short = [rails[0], rails[1].restricted(0.2, 1.0)]
+    for choice in (False, True):
+        with pytest.raises(ValueError, match=r"do not meet.*Let the curves meet"):
+            es.SweptSurface(short, profiles, cut_rails=choice)
+
+
+def test_rails_may_cross_where_they_are_cut_off():
+    first, second = line([0, 0, 0], [80, 0, 0]), line([0, 20, 0], [80, -5, 0])
+    ends = [line([x, 0, 0], second.evaluate(x / 80)) for x in (0, 40)]
+    with pytest.raises(ValueError, match="meet or cross near"):
+        es.SweptSurface((first, second), ends, "rotate", largest_gap=60.0)
+    cut = es.SweptSurface((first, second), ends, "rotate", cut_rails=True)
+    assert "Rail 1 was cut by 40 mm" in cut.message
+
+
 @pytest.mark.parametrize("model", ["blend", "rotate"])
 @pytest.mark.parametrize("tolerance", [1e-1, 1e-3])
 def test_the_b_spline_of_a_sweep_keeps_the_tolerance(model, tolerance):
@@ -201,6 +259,32 @@ def test_a_sweep_that_runs_back_on_itself_is_said():
         )
     ]
     assert "runs back on itself" in es.SweptSurface(rails, wide, "rotate").message
+
+
+def test_a_sweep_that_passes_through_itself_is_said():
+    a = np.linspace(-0.6, np.pi + 0.6, 80)[:, None]  # half a figure of eight
+    path = np.hstack([80 * np.sin(a), 40 * np.sin(2 * a), 4 * a])
+    way = np.hstack([80 * np.cos(a), 80 * np.cos(2 * a), 0 * a])
+    left = np.cross(Z, way) / np.linalg.norm(way, axis=1)[:, None]
+    rails = [fit_curve(path + side * left, 1e-3).over_range(0.0, 1.0) for side in (-8.0, 8.0)]
+    dishes = []
+    for end in (0.0, 1.0):
+        first, second = (rail.evaluate(end) for rail in rails)
+        middle = (first + second) / 2 - 30 * Z
+        dishes.append(es.BSplineCurve([first, middle, second], [0, 0, 0, 1, 1, 1], 2))
+    said = es.SweptSurface(rails, dishes, "rotate").message
+    near = re.search(r"passes through itself near \((.+), (.+), (.+)\)", said)
+    assert np.hypot(*(float(x) for x in near.groups()[:2])) < 20
+
+
+@pytest.mark.parametrize("turn, crosses", [(0.9, False), (1.4, True)])
+def test_a_net_that_only_touches_does_not_cross(turn, crosses):
+    """A tube whose seam meets, along an arc that runs into itself or does not."""
+    u, v = np.linspace(0, 2 * np.pi * turn, 101)[:, None], np.linspace(0, 2 * np.pi, 21)
+    ring = 30 + 5 * np.cos(v)
+    lift = 5 * np.sin(v) + u  # the tube is 10 mm thick, and rises 6.3 mm in a turn
+    grid = np.stack([ring * np.cos(u), ring * np.sin(u), lift], axis=2)
+    assert (self_crossing(grid) is not None) == crosses
 
 
 def test_what_makes_no_sweep_is_refused_with_the_gaps():

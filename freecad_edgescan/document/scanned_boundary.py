@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The parametric boundary: all edges round one face, as one object of native edges.
+
+The name of this module and of `ScannedBoundaryProxy` are written into users' files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import FreeCAD
+import numpy as np
+import Part
+from numpy.typing import ArrayLike
+
+from ..scanning import ScannedEdge, scan_boundary
+from .bridge import origin_of
+from .cloud_cache import cloud_checksum, point_cloud
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .declared_properties import Declared, Role
+from .linked_geometry import require_cloud
+from .native_curve import vector
+from .native_edge import edge_shape
+
+__all__ = [
+    "ScannedBoundaryProxy",
+    "is_closed",
+    "make_scanned_boundary",
+]
+
+
+def _list(kind: str, name: str, tooltip: str) -> Declared:
+    return Declared(kind, name, "Edge points", tooltip, Role.HIDDEN_RESULT)
+
+
+_PROPERTIES = (
+    Declared("LinkGlobal", "Cloud", "Boundary", "The cloud that is scanned"),
+    Declared("Vector", "At", "Boundary", "A place near one of the edges"),
+    Declared("Vector", "Inside", "Boundary", "A place on the face, beside that edge"),
+    Declared("Angle", "MinAngle", "Boundary", "Least turn between two sides; 0: automatic"),
+    result("Integer", "EdgeCount", "Number of edges"),
+    result("Length", "Length", "Length of all edges"),
+    result("Length", "MeanSigma", "Mean standard deviation of the edge points"),
+    result("Length", "LargestSigma", "Largest standard deviation of an edge point"),
+    result("StringList", "Stops", "Why the first edge begins and the last one ends"),
+    MESSAGE,
+    ORIGIN,
+    _list("VectorList", "Points", "Edge points of all edges, document coordinates"),
+    _list("FloatList", "Sigma", "Standard deviation of the edge points, mm"),
+    _list("IntegerList", "EdgeNumbers", "Which edge each of them belongs to, from 1"),
+)
+
+
+def make_scanned_boundary(
+    doc: Any, cloud: Any, at: ArrayLike, inside: ArrayLike, name: str = "ScannedBoundary"
+) -> Any:
+    """Make all edges round one face; `doc.recompute()` scans them.
+
+    Parameters
+    ----------
+    doc : App.Document
+    cloud : Points::Feature
+    at : (3,) a place near one of the edges, document coordinates, mm
+    inside : (3,) a place on the face
+    name : of the object
+
+    Returns
+    -------
+    Part::FeaturePython whose Shape holds one native edge for each, in order.
+
+    Raises
+    ------
+    ValueError: no cloud, or places that are no three finite numbers.
+    """
+    require_cloud(cloud)
+    places = [np.asarray(place, dtype=float) for place in (at, inside)]
+    for what, place in zip(("place near the edge", "place inside"), places, strict=True):
+        if place.shape != (3,) or not np.isfinite(place).all():
+            raise ValueError(f"The {what} is {place.tolist()}; give three finite coordinates, mm.")
+    obj = doc.addObject("Part::FeaturePython", name)
+    ScannedBoundaryProxy(obj)
+    obj.Cloud = cloud
+    obj.At, obj.Inside = (vector(place) for place in places)
+    return obj
+
+
+class ScannedBoundaryProxy(ComputedProxy):
+    """What makes the object scan."""
+
+    PROPERTIES = _PROPERTIES
+
+    def depends_on(self, obj: Any) -> Iterable[object]:
+        """Cloud and places."""
+        if obj.Cloud is None:
+            raise ValueError("The cloud is missing; choose one, or undo its deletion.")
+        yield cloud_checksum(obj.Cloud)
+        yield np.array([obj.At, obj.Inside], dtype=float)
+        yield obj.MinAngle.Value
+
+    def task(self, obj: Any) -> Task:
+        """What scans the edges."""
+        cloud, at, inside = point_cloud(obj.Cloud), tuple(obj.At), tuple(obj.Inside)
+        angle = obj.MinAngle.Value
+        choices: dict[str, Any] = {"min_angle": float(np.radians(angle))} if angle else {}
+        return lambda progress: scan_boundary(cloud, at, inside, progress=progress, **choices)
+
+    def write(self, obj: Any, result: Sequence[ScannedEdge]) -> None:
+        """Write the edges in order."""
+        shapes = [edge_shape(edge) for edge in result if len(edge.points) >= 2]
+        shape = Part.Compound(shapes)
+        shape.Placement = obj.Placement
+        obj.Shape = shape
+        sigma = np.concatenate([edge.sigma for edge in result])
+        obj.Points = [vector(point) for edge in result for point in edge.points]
+        obj.Sigma = sigma.tolist()
+        obj.EdgeNumbers = [
+            number for number, edge in enumerate(result, start=1) for _ in range(len(edge.points))
+        ]
+        obj.EdgeCount, obj.Length = len(shapes), float(sum(own.Length for own in shapes))
+        obj.MeanSigma, obj.LargestSigma = float(sigma.mean()), float(sigma.max())
+        obj.Stops = [result[0].stops[0].name, result[-1].stops[1].name]
+        if is_closed(result):
+            obj.Message = f"{len(result)} edges, which close round the face."
+        else:
+            obj.Message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
+        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+
+
+def is_closed(edges: Sequence[ScannedEdge]) -> bool:
+    """Whether edges in order end where they begin: one loop, or a vertex shared by the last."""
+    first, last = edges[0].vertices[0], edges[-1].vertices[1]
+    if edges[0].closed:
+        return True
+    return first is not None and last is not None and bool(np.allclose(first[0], last[0]))

@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Places in sentences."""
+
+from freecad_edgescan.geometry.place_text import place_text
+
+
+def test_four_digits_and_no_dust():
+    assert place_text((12.34567, -2.9e-22, -1234.5)) == "12.35, 0, -1234"
+    assert place_text((-0.0, 1e-6, 0.5)) == "0, 1e-06, 0.5"

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Scan boundary and Recommend parameters: click, see, keep, leave no trace."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+FreeCAD = pytest.importorskip("FreeCAD")
+Gui = pytest.importorskip("FreeCADGui")
+Part = pytest.importorskip("Part")
+
+ON_THE_RIDGE = (0.0, 2.0, 5.0)
+
+
+@pytest.fixture
+def panel(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Any]]:
+    """The panels that are opened, weakly."""
+    import weakref
+
+    from freecad_edgescan.gui.click_panel import ClickPanel
+
+    opened: list[Any] = []
+    begin = ClickPanel.__init__
+
+    def note(self: Any, *given: Any) -> None:
+        begin(self, *given)
+        opened.append(weakref.ref(self))
+
+    monkeypatch.setattr(ClickPanel, "__init__", note)
+    yield opened
+
+
+def ok(panel: Any) -> Any:
+    from freecad_edgescan.gui.qt import QtWidgets
+
+    return panel.buttons.button(QtWidgets.QDialogButtonBox.Ok)
+
+
+def cancel(panel: Any) -> Any:
+    from freecad_edgescan.gui.qt import QtWidgets
+
+    return panel.buttons.button(QtWidgets.QDialogButtonBox.Cancel)
+
+
+def opened(window: Any, name: str, panels: list[Any]) -> Any:
+    Gui.runCommand(name)
+    window.settle(0.2)
+    return panels[-1]()
+
+
+@pytest.fixture
+def block(window: Any) -> Any:
+    """A scanned block in place of the roof."""
+    from freecad_edgescan import document
+
+    roof = window.doc.findObjects("Points::Feature")[0]
+    window.doc.removeObject(roof.Name)
+    numbers = document.simulate_cloud(Part.makeBox(20, 16, 12), pitch=0.4, noise=0.01)
+    document.make_cloud(window.doc, numbers)
+    window.doc.recompute()
+    window.view.fitAll()
+    window.settle(0.3)
+    return window
+
+
+def test_two_clicks_give_the_boundary_of_a_face_in_one_undo_step(
+    block: Any, panel: list[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lines: list[str] = []
+    run = Gui.doCommand
+    monkeypatch.setattr(Gui, "doCommand", lambda line: (lines.append(line), run(line)))
+    steps = block.doc.UndoCount
+    shown = opened(block, "EdgeScan_ScanBoundary", panel)
+    assert not ok(shown).isEnabled()
+    block.click((10.0, 0.2, 12.0))
+    assert "2 of 2" in shown.form.sentence
+    block.click((10.0, 8.0, 12.0))
+    block.wait_until(lambda: ok(shown).isEnabled())
+    assert "4 edges" in shown.form.text
+    assert "closed" in shown.form.text
+    block.picture("scan_boundary")
+    ok(shown).click()
+    block.settle()
+    (boundary,) = Gui.Selection.getSelection()
+    assert boundary.EdgeCount == 4
+    assert boundary.Length.Value == pytest.approx(72, abs=0.1)
+    assert block.doc.UndoCount == steps + 1
+    brep, name = boundary.Shape.exportBrepToString(), boundary.Name
+    block.doc.undo()
+    assert not any("Gui" in line for line in lines)
+    exec("import FreeCAD\n" + "\n".join(lines), {})
+    assert block.doc.getObject(name).Shape.exportBrepToString() == brep
+
+
+def test_parameters_are_recommended_and_ok_scans_with_them(window: Any, panel: list[Any]) -> None:
+    shown = opened(window, "EdgeScan_RecommendParameters", panel)
+    window.click(ON_THE_RIDGE)
+    window.wait_until(lambda: ok(shown).isEnabled())
+    assert "Error to expect" in shown.form.text
+    window.picture("recommend")
+    ok(shown).click()
+    window.settle()
+    (edge,) = window.edges
+    assert edge.Method == "probe"
+    points = np.array([tuple(point) for point in edge.Points])
+    assert np.abs(points[:, 0]).mean() < 0.05
+
+
+@pytest.mark.parametrize("name", ["EdgeScan_ScanBoundary", "EdgeScan_RecommendParameters"])
+def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str, panel: list[Any]) -> None:
+    before, threads = window.trace(), window.threads
+    shown = opened(window, name, panel)
+    window.click_pixel(3, 3)
+    assert "no point" in shown.form.sentence
+    window.click(ON_THE_RIDGE)
+    window.press_escape()
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+    assert window.trace() == before
+    shown = opened(window, name, panel)
+    window.click(ON_THE_RIDGE)
+    cancel(shown).click()
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+    assert window.trace() == before
+    assert window.threads <= threads
+    del shown
+    window.settle()
+    gc.collect()
+    assert [alive() for alive in panel] == [None, None]
+
+
+def test_a_place_without_an_edge_is_said_and_asked_for_again(window: Any, panel: list[Any]) -> None:
+    shown = opened(window, "EdgeScan_RecommendParameters", panel)
+    window.click((6.0, 0.0, 5.0 - 0.8 * 6.0))
+    window.wait_until(lambda: "edge" in shown.form.sentence and not shown.places)
+    assert not ok(shown).isEnabled()
+    assert "Click on the cloud" in shown.form.sentence
+
+
+def test_a_document_closed_or_a_cloud_deleted_under_the_panel(
+    window: Any, panel: list[Any]
+) -> None:
+    shown = opened(window, "EdgeScan_ScanBoundary", panel)
+    window.click(ON_THE_RIDGE)
+    window.doc.removeObject(window.doc.findObjects("Points::Feature")[0].Name)
+    window.settle()
+    assert "deleted" in shown.form.sentence
+    assert "1 of 2" in shown.form.sentence
+    FreeCAD.closeDocument(window.doc.Name)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+
+
+@pytest.mark.parametrize("name", ["EdgeScan_ScanBoundary", "EdgeScan_RecommendParameters"])
+def test_a_hidden_cloud_is_said(window: Any, name: str, problems: list[str]) -> None:
+    window.doc.findObjects("Points::Feature")[0].ViewObject.Visibility = False
+    Gui.runCommand(name)
+    assert not Gui.Control.activeDialog()
+    assert "hidden one visible" in problems[0]
