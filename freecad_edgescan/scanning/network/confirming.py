@@ -8,7 +8,8 @@ import numpy as np
 from ...cloud.point_cloud import PointCloud
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
-from .sections import Sections, measure_sections
+from ..sections import Sections
+from .measuring import measure_sections
 from .tracks import Track, join_tracks
 
 __all__ = ["confirmed"]

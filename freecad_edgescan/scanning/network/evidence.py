@@ -15,8 +15,9 @@ from scipy.spatial import cKDTree
 from ...cloud.point_cloud import PointCloud
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
+from ..sections import Sections
+from .measuring import measure_sections
 from .proposals import ALONG, SCALES, propose_sections
-from .sections import Sections, measure_sections
 from .spacing import best_apart
 
 __all__ = ["sections_on_edges"]

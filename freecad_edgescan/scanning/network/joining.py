@@ -16,7 +16,7 @@ from ..gait import reversed_frame
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
 from .chains import follow
-from .sections import measure_sections
+from .measuring import measure_sections
 from .strips import NOBODY, Strips
 from .tracks import Track, join_tracks, reversed_track
 

@@ -13,8 +13,8 @@ import numpy as np
 
 from ...geometry.frames import turned_along
 from ..section import Frames, Station, frames_from_sides
+from ..sections import Sections
 from .chains import Chain
-from .sections import Sections
 from .soundness import corners_within
 
 __all__ = ["Track", "join_tracks", "reversed_track", "split_at_corners", "track_of"]
