@@ -147,8 +147,9 @@ class PatchSection:
         points = self.slab(frames, half_width)
         kept = points[self._plausible(frames, points)]
         supplied = np.bincount(points.owner, minlength=sections)
-        missing = np.full(sections, Stop.CORNER, dtype=object)
-        missing[supplied < 12] = Stop.CLOUD_END
+        missing = np.array(
+            [Stop.CLOUD_END if count < 12 else Stop.CORNER for count in supplied], dtype=object
+        )
         enough = _counts(kept, sections).min(axis=1) >= 6
         if not enough.any():
             return Sections.unmeasured(frames, missing, settings.reach)
