@@ -699,12 +699,44 @@
       <translation>&amp;Einheit der Datei:</translation>
     </message>
     <message>
+      <source>, rounding {radius}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>1 (line)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>1 of 2: click near an edge of the face.</source>
       <translation>1 von 2: Nahe einer Kante der Fläche klicken.</translation>
     </message>
     <message>
+      <source>1 of 3: click beside the edge, where the first scan line begins.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>2 (quadratic)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>2 of 2: click on the face, beside that edge.</source>
       <translation>2 von 2: Auf die Fläche klicken, neben dieser Kante.</translation>
+    </message>
+    <message>
+      <source>2 of 3: click across the edge, where that line leads.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>3 (cubic)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>3 + 2 clicks: start and gate</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>3 of 3: click along the edge, where the walk goes.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>A cloud of a part whose edges are known exactly: to try EdgeScan, and to see what a scan with another pitch or noise would give.</source>
@@ -719,8 +751,32 @@
       <translation>Alle Dateien</translation>
     </message>
     <message>
+      <source>All points (patch)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All points on both sides are the most accurate; line by line touches the cloud as a measuring machine touches a part</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>All {whole} points are shown.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Amplitude</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Angle</source>
       <translation>Winkel</translation>
+    </message>
+    <message>
+      <source>Approach</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Blue: well known. Yellow: the least known points of this edge</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Bring a 3D view to the front, then start again.</source>
@@ -731,12 +787,36 @@
       <translation>Abbrechen</translation>
     </message>
     <message>
+      <source>Change what you like; OK keeps it. A click on the cloud scans another edge.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Chord height</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Click near the edge where the scan is to end. OK keeps all of it.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Click on the cloud near a rim of the pipe: the edge is followed both ways until it ends. Then OK keeps it; Undo takes it away again.</source>
       <translation>Nahe einem Rand der Rinne auf die Punktwolke klicken: Die Kante wird in beide Richtungen verfolgt, bis sie endet. OK behält sie; Rückgängig nimmt sie wieder weg.</translation>
     </message>
     <message>
       <source>Click on the cloud, near the edge you want to scan.</source>
       <translation>Auf die Punktwolke klicken, nahe der Kante, die abgetastet werden soll.</translation>
+    </message>
+    <message>
+      <source>Click on the cloud, near the edge you want, where the scan begins.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Click on the cloud, near the edge you want.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Click to see the section there. Arrows: along the edge</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Close the guide</source>
@@ -751,8 +831,16 @@
       <translation>Punktabstand</translation>
     </message>
     <message>
+      <source>Colour by sigma</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Compensate cloud</source>
       <translation>Punktwolke korrigieren</translation>
+    </message>
+    <message>
+      <source>Compensation</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Computing. Cancel gives it up.</source>
@@ -765,6 +853,42 @@
     <message>
       <source>Core box, a small piece</source>
       <translation>Kernkasten, ein kleines Stück</translation>
+    </message>
+    <message>
+      <source>Cross-section of the edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Degree</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Degree of a line section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Direction the probe came along; the air lies against it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Distance of the cloud's points, which tells a gap from surface</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Distance of the edge points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Distance of the points on a scan line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Edge pitch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Edge point</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Edge points with sigma</source>
@@ -783,6 +907,18 @@
       <translation>Kanten und Flächen</translation>
     </message>
     <message>
+      <source>Edit scanned edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Edit the scan</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>End the scan and keep the edge as far as it is known</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Error to expect</source>
       <translation>Zu erwartender Fehler</translation>
     </message>
@@ -795,8 +931,48 @@
       <translation>Zuerst das offene Aufgabenfenster abschließen oder abbrechen.</translation>
     </message>
     <message>
+      <source>Gate, 1 of 2: click beside the edge on the same side. OK needs no gate.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Gate, 2 of 2: click across the edge.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Go along the edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Hide the points before and behind the section that is looked at</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Hold Ctrl for clicks.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Hold Ctrl while clicking.</source>
       <translation>Beim Klicken Strg gedrückt halten.</translation>
+    </message>
+    <message>
+      <source>How far the measuring machine goes on looking for the surface</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How the direction of the edge is found</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How the next scan line is placed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How the probe radius is taken off</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>How the scan lines follow each other</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Import cloud</source>
@@ -807,8 +983,41 @@
       <translation>Zoll</translation>
     </message>
     <message>
+      <source>Kept as far as it was scanned: a gate ends it there now.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Largest deviation of the chord between two edge points from the edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Length</source>
       <translation>Länge</translation>
+    </message>
+    <message>
+      <source>Length of a scan line along the surface, half of it on each side</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Line by line (probe)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Line pitch</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Look along the edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Looking for
+the edge …</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Make every parameter automatic again</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Mean sigma</source>
@@ -823,12 +1032,20 @@
       <translation>Millimeter</translation>
     </message>
     <message>
+      <source>No point cloud can be seen. Show one in the tree, then click on it.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Noise level</source>
       <translation>Rauschen</translation>
     </message>
     <message>
       <source>Nothing with a shape is selected or shown. Select scanned edges or surfaces.</source>
       <translation>Nichts, was eine Form hat, ist ausgewählt oder eingeblendet. Abgetastete Kanten oder Flächen auswählen.</translation>
+    </message>
+    <message>
+      <source>OK keeps this edge. Click elsewhere to scan another one instead.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>OK keeps this. Click elsewhere to begin again.</source>
@@ -839,12 +1056,32 @@
       <translation>OK tastet diese Kante mit diesen Parametern Linie für Linie ab. Anderswo klicken, um stattdessen dort zu messen.</translation>
     </message>
     <message>
+      <source>Of the cloud's points, in pixels; own: as elsewhere</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>On average: sigma {sigma}, angle {angle}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>One click: the whole edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>One point for each pitch² of surface.</source>
       <translation>Ein Punkt je Punktabstand² Oberfläche.</translation>
     </message>
     <message>
       <source>One point stays for each pitch² of surface.</source>
       <translation>Ein Punkt je Punktabstand² Oberfläche bleibt.</translation>
+    </message>
+    <message>
+      <source>Only points at the section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Open a 3D view of this document first.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Open a document first, or import a cloud.</source>
@@ -855,6 +1092,14 @@
       <translation>P&amp;unktabstand:</translation>
     </message>
     <message>
+      <source>Parameters</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Pattern</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Picture with histogram</source>
       <translation>Bild mit Histogramm</translation>
     </message>
@@ -863,12 +1108,28 @@
       <translation>Punktwolken</translation>
     </message>
     <message>
+      <source>Point size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Prehit distance</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Probe &amp;radius:</source>
       <translation>Taster&amp;radius:</translation>
     </message>
     <message>
+      <source>Probe radius</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Radius of a ball that rolls over the part; the points are its centres. 0: the points lie on the part.</source>
       <translation>Radius einer Kugel, die über das Teil rollt; die Punkte sind ihre Mittelpunkte. 0: Die Punkte liegen auf dem Teil.</translation>
+    </message>
+    <message>
+      <source>Radius of the ball whose centres the cloud holds; 0: surface points</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Radius of the ball, when the file holds the centres of a probing ball; 0: the points lie on the part.</source>
@@ -887,8 +1148,16 @@
       <translation>Bericht</translation>
     </message>
     <message>
+      <source>Reset</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Rounding</source>
       <translation>Verrundung</translation>
+    </message>
+    <message>
+      <source>Rounding radius</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Save deviations</source>
@@ -907,6 +1176,42 @@
       <translation>Kante abtasten</translation>
     </message>
     <message>
+      <source>Scan lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Scanning tolerance of a line section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Search distance</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Show scan lines</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Show where across the edge each point was measured</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sigma</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sigma, angle and rounding along the edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Sigma, angle and rounding along the edge are shown here.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Simulated cloud</source>
       <translation>Simulierte Punktwolke</translation>
     </message>
@@ -919,8 +1224,20 @@
       <translation>Standardabweichung der Punkte entlang der Normalen.</translation>
     </message>
     <message>
+      <source>Steering</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Step {number} of 3</source>
       <translation>Schritt {number} von 3</translation>
+    </message>
+    <message>
+      <source>Stop here</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stopped before there was enough of the edge to keep.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Stopping…</source>
@@ -929,6 +1246,10 @@
     <message>
       <source>Table</source>
       <translation>Tabelle</translation>
+    </message>
+    <message>
+      <source>Tangent</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>That is an edge: a native curve in the tree. Its properties say how exact it is and why it ends. Scan the other rim, too; Cross-section then finds the pipe's profile between them. With your own scan, begin with Import cloud.</source>
@@ -943,16 +1264,48 @@
       <translation>Das ist sehr klein. Ist die Datei in Metern?</translation>
     </message>
     <message>
+      <source>That is {label}, no point cloud. Click on a cloud, near an edge.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The boundary is closed.</source>
       <translation>Die Umrandung ist geschlossen.</translation>
+    </message>
+    <message>
+      <source>The calculation broke off ({kind}: {error}).</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The cloud has changed. Click near an edge again.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The cloud is being prepared; your click will be answered.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>The cloud was deleted.</source>
       <translation>Die Punktwolke wurde gelöscht.</translation>
     </message>
     <message>
+      <source>The cloud was deleted. Click on another one, near an edge.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The edge is being followed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
       <translation>Die Punkte liegen {distance} vom Ursprung entfernt, wo ein Dokument sie nicht genau halten kann. Näher gerückt sind sie genau; die Eigenschaft Origin der Punktwolke enthält den Weg zurück, und Exporte verwenden ihn.</translation>
+    </message>
+    <message>
+      <source>The section across the edge is shown here.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>There is no point of a visible cloud there. Click on one, near an edge.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>There is no point of a visible cloud under the cursor.</source>
@@ -983,20 +1336,192 @@
       <translation>Dieses Dokument zeigt {count} Punktwolken. Die gemeinte auswählen.</translation>
     </message>
     <message>
+      <source>Tick a parameter to set it yourself.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Tolerance</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Try it</source>
       <translation>Ausprobieren</translation>
+    </message>
+    <message>
+      <source>Turn the view so that the section is seen as it is drawn</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Two clicks: edge and gate</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>View</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Web page</source>
       <translation>Webseite</translation>
     </message>
     <message>
+      <source>What your clicks stand for</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Wheel: zoom. Drag: move. Double click: show all. Arrows: along</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Where the measuring machine begins to move slowly</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>along +x</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>along +y</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>along -x</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>along -y</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>along the edge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>angle {angle}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>bridges a gap in the cloud</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>chosen with the first click</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>curvature</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>curve</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>deviation, {unit}</source>
       <translation>Abweichung, {unit}</translation>
     </message>
     <message>
+      <source>down, -z</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>fitted sides</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>interpolation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>intersection</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>intersection, as printed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>left out</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no rounding measurable</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>none</source>
       <translation>keine</translation>
+    </message>
+    <message>
+      <source>none measurable</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>not used</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>own</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>planes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>polynomials</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>probe</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>rounding</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>rounding {radius} ± {sigma} {unit}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>set by you</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>sigma {length}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>square</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>surface</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>tangent</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>up, +z</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>zigzag</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{across} across, {out} out</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>{clouds} clouds and {edges} edges are selected. Select two or three objects: one cloud, the edge to cut across, and another edge if there is one.</source>
@@ -1013,6 +1538,11 @@
     <message>
       <source>{count} clouds are selected. Select one of them.</source>
       <translation>{count} Punktwolken sind ausgewählt. Eine davon auswählen.</translation>
+    </message>
+    <message>
+      <source>{count} edge points
+{length}</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>{count} edges</source>
@@ -1053,6 +1583,14 @@
     <message>
       <source>{names}: {count} points.</source>
       <translation>{names}: {count} Punkte.</translation>
+    </message>
+    <message>
+      <source>{number} of {count}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{shown} of {whole} points are shown; all of them are computed with.</source>
+      <translation type="unfinished" />
     </message>
   </context>
   <context>

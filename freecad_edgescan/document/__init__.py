@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from .network_shape import network_wires as network_wires
     from .report_page import write_report as write_report
     from .scanned_boundary import make_scanned_boundary as make_scanned_boundary
+    from .scanned_edge import change_scanned_edge as change_scanned_edge
     from .scanned_edge import make_scanned_edge as make_scanned_edge
     from .sharp_edges import true_edges as true_edges
     from .simulated_cloud_object import make_core_box as make_core_box
@@ -48,6 +49,7 @@ if TYPE_CHECKING:
     from .trimmed_shell import make_trimmed_shell as make_trimmed_shell
 
 _HOME_OF = {
+    "change_scanned_edge": "scanned_edge",
     "edge_shape": "native_edge",
     "export_csv": "edge_export",
     "export_step": "export",

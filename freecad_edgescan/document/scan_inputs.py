@@ -55,30 +55,37 @@ def checked_inputs(
 
 
 def write_inputs(obj: Any, inputs: ScanInputs) -> None:
-    """Fill the input properties of a scanned edge."""
-    if isinstance(inputs.at, Start):
-        obj.At, obj.Across = _vector(inputs.at.point), _vector(inputs.at.across)
-        obj.Along = _vector(inputs.at.along)
-    else:
-        obj.At = _vector(inputs.at)
-    obj.UseGate = inputs.gate is not None
-    if isinstance(inputs.gate, Gate):
-        obj.Gate, obj.GateAcross = _vector(inputs.gate.point), _vector(inputs.gate.across)
-    elif inputs.gate is not None:
-        obj.Gate = _vector(inputs.gate)
-    obj.Method = inputs.method
-    given = inputs.parameters
+    """Fill the input properties of a scanned edge; only those that differ are touched.
+
+    The least angle stays as it is, unless one is given.
+    """
+    at, gate, given = inputs.at, inputs.gate, inputs.parameters
+    values: dict[str, Any] = {
+        "At": _vector(at.point if isinstance(at, Start) else at),
+        "Across": _vector(at.across if isinstance(at, Start) else np.zeros(3)),
+        "Along": _vector(at.along if isinstance(at, Start) else np.zeros(3)),
+        "UseGate": gate is not None,
+        "GateAcross": _vector(gate.across if isinstance(gate, Gate) else np.zeros(3)),
+        "Method": inputs.method,
+        "Degree": given.degree or 0,
+        "OwnProbeRadius": given.probe_radius is not None,
+        "Approach": _vector(np.zeros(3) if given.approach is None else given.approach),
+    }
+    if gate is not None:
+        values["Gate"] = _vector(gate.point if isinstance(gate, Gate) else gate)
     for field, (name, _) in LENGTHS.items():
-        setattr(obj, name, getattr(given, field) or 0.0)
-    obj.Degree = given.degree or 0
+        values[name] = getattr(given, field) or 0.0
     for field, (name, _, _) in CHOICES.items():
         choice = getattr(given, field)
-        setattr(obj, name, AUTOMATIC if choice is None else choice.value)
+        values[name] = AUTOMATIC if choice is None else choice.value
     if given.probe_radius is not None:
-        obj.OwnProbeRadius = True
-        obj.ProbeRadius = given.probe_radius
-    if given.approach is not None:
-        obj.Approach = _vector(given.approach)
+        values["ProbeRadius"] = given.probe_radius
+    if inputs.min_angle is not None:
+        values["MinAngle"] = float(np.degrees(inputs.min_angle))
+    for name, value in values.items():
+        present = getattr(obj, name)
+        if getattr(present, "Value", present) != value:
+            setattr(obj, name, value)
 
 
 def read_inputs(obj: Any) -> ScanInputs:

@@ -23,7 +23,13 @@ from .scan_inputs import checked_inputs, input_hash, read_inputs, write_inputs
 from .scanned_edge_properties import CHOICES, LENGTHS, PROPERTIES, SCHEMA_VERSION
 from .shown_properties import show_probe_radius, show_what_counts
 
-__all__ = ["ScannedEdgeProxy", "make_scanned_edge", "scan_again", "write_result"]
+__all__ = [
+    "ScannedEdgeProxy",
+    "change_scanned_edge",
+    "make_scanned_edge",
+    "scan_again",
+    "write_result",
+]
 
 
 def make_scanned_edge(
@@ -66,6 +72,39 @@ def make_scanned_edge(
     obj.Cloud = cloud
     write_inputs(obj, inputs)
     return obj
+
+
+def change_scanned_edge(
+    obj: Any,
+    at: ArrayLike | Start,
+    gate: ArrayLike | Gate | None = None,
+    parameters: ScanParameters | None = None,
+    method: str = "patch",
+    cloud: Any = None,
+) -> None:
+    """Give an edge other inputs, all of them at once; `doc.recompute()` scans it anew.
+
+    What is not given here becomes automatic again. The least angle stays as it is.
+
+    Parameters
+    ----------
+    obj : scanned edge, as made by `make_scanned_edge`
+    at, gate, parameters, method : as there
+    cloud : Points::Feature to scan from now on; None: the one it has
+
+    Raises
+    ------
+    ValueError: an object that is no scanned edge, or inputs that cannot work; it stays as it was.
+    """
+    if not isinstance(getattr(obj, "Proxy", None), ScannedEdgeProxy):
+        raise ValueError(
+            f"{getattr(obj, 'Label', obj)!r} is not a scanned edge; make one with "
+            "make_scanned_edge(doc, cloud, at=(x, y, z))."
+        )
+    inputs = checked_inputs(at, gate, parameters, method)
+    if cloud is not None and obj.Cloud is not cloud:
+        obj.Cloud = cloud
+    write_inputs(obj, inputs)
 
 
 def scan_again(obj: Any, progress: Progress | None = None) -> ScannedEdge:

@@ -16,6 +16,7 @@ from freecad_edgescan.scanning import ScannedEdge, scan_boundary
 from .click_panel import ClickPanel
 from .html_table import html_table
 from .length_field import length_text
+from .live_edge import LiveEdge
 from .picking import Array
 from .recorded_step import as_literal, object_line, run_as_one_step
 from .shown import select_only
@@ -45,7 +46,9 @@ class BoundaryPanel(ClickPanel):
 
     def show_result(self, result: list[ScannedEdge]) -> str:
         """Draw all edge points; say what was found."""
-        self.preview.show_edge(np.vstack([edge.points for edge in result]))
+        points = np.vstack([edge.points for edge in result])
+        sigma = np.concatenate([edge.sigma for edge in result])
+        self.preview.show_edge(LiveEdge(points, sigma, curve=points))
         rows = [
             (
                 translate("Edge {number}").format(number=number),

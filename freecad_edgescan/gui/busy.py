@@ -42,7 +42,7 @@ def result_of(calculate: Callable[[Any], Result], title: str) -> Result:
             outcome.append(error)
 
     work = Background(run)
-    work.start()
+    work.begin()
     if not work.wait(_PATIENCE):
         _Waiting(work, title).wait()
     (result,) = outcome
@@ -70,6 +70,7 @@ class _Waiting(QtCore.QObject):
         self._dialog.canceled.connect(self._cancel)
         work.advanced.connect(self._advance)
         work.finished.connect(self._loop.quit)
+        self._advance()  # what was told before anybody listened
 
     def wait(self) -> None:
         """Until the thread is gone.
@@ -89,10 +90,11 @@ class _Waiting(QtCore.QObject):
         if cancelled:
             raise CancelledError
 
-    def _advance(self, fraction: float, _so_far: object) -> None:
-        if np.isfinite(fraction):
+    def _advance(self) -> None:
+        report = self._work.take()
+        if report is not None and np.isfinite(report[0]):
             self._dialog.setRange(0, 1000)
-            self._dialog.setValue(round(1000 * fraction))
+            self._dialog.setValue(round(1000 * report[0]))
 
     def _cancel(self) -> None:
         self._work.stop()

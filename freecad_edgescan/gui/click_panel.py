@@ -11,15 +11,16 @@ from typing import Any
 
 import FreeCAD
 import FreeCADGui
-import numpy as np
 
 from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.scanning import SoFar
 
 from .background import Background
 from .clicked_cloud import clicked_cloud, visible_clouds
 from .edge_preview import EdgePreview
 from .icons import icon_path
+from .live_edge import LiveEdge
 from .picking import Array
 from .qt import QtCore, QtGui, QtWidgets, as_int
 from .translation import translate
@@ -158,14 +159,15 @@ class ClickPanel(QtCore.QObject):
         if len(self.places) == len(self.questions):
             self._start_over()
         clouds = self.clouds if self.cloud is None else [self.cloud]
-        picked = clicked_cloud(self._view, position, clouds)
+        numbers = [(item, document.point_cloud(item)) for item in clouds]
+        picked = clicked_cloud(self._view, position, numbers)
         if picked is None:
             missed = translate("There is no point of a visible cloud under the cursor.")
             self.form.say(f"{missed} {self._question()}")
             return
-        self.cloud, self.numbers, place = picked
-        self.places.append(place)
-        self.preview.show_click(np.array(place))
+        self.cloud, self.numbers = picked.item, picked.numbers
+        self.places.append(picked.point)
+        self.preview.show_clicks(self.places)
         if len(self.places) < len(self.questions):
             self._ask()
         else:
@@ -176,17 +178,19 @@ class ClickPanel(QtCore.QObject):
         assert numbers is not None
         self.form.show_progress(True)
         self.form.say(translate("Computing. Cancel gives it up."))
-        work = Background(lambda progress: self.calculate(numbers, places, progress), self)
+        work = Background(lambda progress: self.calculate(numbers, places, progress), _drawn)
         work.advanced.connect(self._advance)
         work.succeeded.connect(self._succeed)
         work.failed.connect(self._fail)
         self._work = work
-        work.start()
+        work.begin()
 
-    def _advance(self, fraction: float, so_far: Any) -> None:
-        points = getattr(so_far, "points", None)
-        if self.sender() is self._work and points is not None and len(points) > 1:
-            self.preview.show_edge(points)
+    def _advance(self) -> None:
+        if self._work is None or self.sender() is not self._work:
+            return
+        report = self._work.take()
+        if report is not None and report[1] is not None:
+            self.preview.show_edge(report[1])
 
     def _succeed(self, result: Any) -> None:
         if self.sender() is not self._work:
@@ -234,7 +238,8 @@ class ClickPanel(QtCore.QObject):
         self._end_work()
         self.cloud = self.numbers = self.result = None
         self.places = []
-        self.preview.clear()
+        self.preview.show_clicks(())
+        self.preview.clear_edge()
         self.form.show_progress(False)
         self.form.show_text("")
         self._allow_ok()
@@ -304,3 +309,8 @@ class _ClickForm(QtWidgets.QWidget):
         """Show the answer, or hide the field when there is none."""
         self._text.setHtml(text)
         self._text.setVisible(bool(text))
+
+
+def _drawn(so_far: object) -> LiveEdge | None:
+    """What the preview shows of a report: an edge that is being walked along."""
+    return LiveEdge.of_walk(so_far) if isinstance(so_far, SoFar) else None

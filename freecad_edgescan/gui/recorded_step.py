@@ -7,7 +7,7 @@ mention neither the screen nor the mouse, so that a recorded macro replays in ``
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import FreeCAD
@@ -37,6 +37,7 @@ def run_as_one_step(
     title: str,
     lines: list[str],
     before_recompute: Callable[[list[Any]], None] | None = None,
+    changed: Sequence[Any] = (),
 ) -> list[Any]:
     """Run recorded lines and recompute, all in one undo step, or leave no trace.
 
@@ -47,6 +48,7 @@ def run_as_one_step(
     lines : Python statements
     before_recompute : gets the objects that were made, to write results into them that are known
         already, or to dress them; it is not recorded, so it must only save time or change looks
+    changed : objects the lines change, which must be valid afterwards, too
 
     Returns
     -------
@@ -54,7 +56,8 @@ def run_as_one_step(
 
     Raises
     ------
-    ValueError: an object the lines made could not be computed; the text says which and why.
+    ValueError: an object the lines made or changed could not be computed; the text says which and
+        why.
     Whatever the lines raise.
     """
     before = {item.Name for item in doc.Objects}
@@ -68,12 +71,12 @@ def run_as_one_step(
         if before_recompute is not None:
             before_recompute(made)
         FreeCADGui.doCommand("doc.recompute()")
-        _require_valid(made)
+        _require_valid([*made, *changed])
     except BaseException:
         doc.abortTransaction()
         raise
     doc.commitTransaction()
-    FreeCAD.Console.PrintLog(f"{title}: {', '.join(item.Label for item in made)}\n")
+    FreeCAD.Console.PrintLog(f"{title}: {', '.join(item.Label for item in [*made, *changed])}\n")
     return made
 
 

@@ -36,11 +36,12 @@ def scan_edge_command() -> Command:
 def _open_panel(doc: Any) -> None:
     """Open the panel, or say why it cannot work."""
     view = FreeCADGui.ActiveDocument.ActiveView
-    from .scan_edge_panel import ScanEdgePanel, clouds_in
+    from .clicked_cloud import visible_clouds
+    from .scan_edge_panel import ScanEdgePanel
 
     if not hasattr(view, "getSceneGraph"):
         raise ValueError(translate("Bring a 3D view to the front, then start again."))
-    if not clouds_in(doc):
+    if not visible_clouds(doc):
         raise ValueError(
             translate(
                 "This document shows no point cloud. Import one (EdgeScan → Import cloud), or "

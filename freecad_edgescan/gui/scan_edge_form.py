@@ -1,19 +1,27 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What the panel that scans an edge looks like: a sentence, a progress bar, the result."""
+"""What the panel that scans an edge looks like: what to do now, the result, and its evidence."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
 import numpy as np
 
+from freecad_edgescan.scanning import ScannedEdge
+
+from .evidence_form import EvidenceForm
 from .icons import icon_path
+from .parameter_form import ParameterForm
+from .picked_places import Way
 from .qt import QtCore, QtGui, QtWidgets
+from .quantities import angle_text, length_text
+from .translation import translate
+from .view_form import ViewForm
 
 __all__ = ["ScanEdgeForm"]
 
-_ROWS = ("Length", "Mean sigma", "Mean angle")
+_TAB_FONT = 0.88  # of the window's: all tabs are to be seen in a narrow dock
+_LINES = 3  # that a sentence may take before what is below moves
 
 
 class ScanEdgeForm(QtWidgets.QWidget):
@@ -21,44 +29,71 @@ class ScanEdgeForm(QtWidgets.QWidget):
 
     Attributes
     ----------
-    stop : the button that ends a running scan
+    stop : the button that ends a running scan and keeps what is there
+    evidence, parameters, view : what is in the three tabs
+
+    Signals
+    -------
+    way_changed() : other clicks are to tell where to scan
     """
 
-    def __init__(self) -> None:
+    way_changed = QtCore.Signal()
+
+    def __init__(self, title: str) -> None:
         super().__init__()
-        self.setWindowTitle("Scan edge")
+        self.setWindowTitle(title)
         self.setWindowIcon(QtGui.QIcon(icon_path("EdgeScan_ScanEdge")))
         self._sentence = QtWidgets.QLabel()
         self._sentence.setWordWrap(True)
-        self._sentence.setMinimumHeight(3 * self.fontMetrics().lineSpacing())
+        self._sentence.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing())
         self._sentence.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
         bold = self._sentence.font()
         bold.setBold(True)
         self._sentence.setFont(bold)
-        self._progress = QtWidgets.QProgressBar()
-        self._progress.setRange(0, 1000)
-        self._progress.setTextVisible(False)
-        self.stop = QtWidgets.QPushButton("Stop")
-        self.stop.setToolTip("Give this scan up and click elsewhere")
+        self._way = QtWidgets.QComboBox()
+        self._way.addItem(translate("One click: the whole edge"), Way.WHOLE_EDGE.name)
+        self._way.addItem(translate("Two clicks: edge and gate"), Way.TO_A_GATE.name)
+        self._way.addItem(translate("3 + 2 clicks: start and gate"), Way.START_AND_GATE.name)
+        self._way.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        self._way.setToolTip(translate("What your clicks stand for"))
+        self._way.currentIndexChanged.connect(lambda _: self.way_changed.emit())
+        self.stop = QtWidgets.QPushButton(translate("Stop here"))
+        self.stop.setToolTip(translate("End the scan and keep the edge as far as it is known"))
+        self._so_far = QtWidgets.QLabel()
+        self._figures = QtWidgets.QLabel()
+        self._message = QtWidgets.QLabel()
+        for label in (self._figures, self._message):
+            label.setWordWrap(True)
+            label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         self._running = QtWidgets.QWidget()
+        # No bar that moves by itself: each of its frames would draw the 3D view anew, too.
         row = QtWidgets.QHBoxLayout(self._running)
         row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self._progress, 1)
+        row.addWidget(self._so_far, 1)
         row.addWidget(self.stop)
         self._result = QtWidgets.QWidget()
-        table = QtWidgets.QFormLayout(self._result)
-        table.setContentsMargins(0, 0, 0, 0)
-        self._values = {name: QtWidgets.QLabel() for name in _ROWS}
-        for name, label in self._values.items():
-            label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-            table.addRow(f"{name}:", label)
-        self._message = QtWidgets.QLabel()
-        self._message.setWordWrap(True)
-        table.addRow(self._message)
+        below = QtWidgets.QVBoxLayout(self._result)
+        below.setContentsMargins(0, 0, 0, 0)
+        below.addWidget(self._figures)
+        below.addWidget(self._message)
+        self.evidence = EvidenceForm()
+        self.parameters = ParameterForm()
+        self.view = ViewForm()
+        self.tabs = QtWidgets.QTabWidget()
+        self.tabs.setDocumentMode(True)
+        self.tabs.setUsesScrollButtons(False)
+        self.tabs.setElideMode(QtCore.Qt.ElideRight)
+        small = self.tabs.font()
+        small.setPointSizeF(_TAB_FONT * small.pointSizeF())
+        self.tabs.tabBar().setFont(small)
+        self.tabs.addTab(self.evidence, translate("Section"))
+        self.tabs.addTab(_scrolling(self.parameters), translate("Parameters"))
+        self.tabs.addTab(self.view, translate("View"))
         column = QtWidgets.QVBoxLayout(self)
-        for widget in (self._sentence, self._running, self._result):
+        column.setContentsMargins(4, 4, 4, 4)
+        for widget in (self._sentence, self._way, self._running, self._result):
             column.addWidget(widget)
-        column.addStretch()
+        column.addWidget(self.tabs, 1)
         self.show_progress(False)
         self.show_edge(None)
 
@@ -67,36 +102,67 @@ class ScanEdgeForm(QtWidgets.QWidget):
         """What the user is told at the top."""
         return str(self._sentence.text())
 
-    def value(self, name: str) -> str:
-        """What the table says in a row."""
-        return str(self._values[name].text())
+    @property
+    def figures(self) -> str:
+        """The edge in a few numbers."""
+        return str(self._figures.text())
+
+    @property
+    def way(self) -> Way:
+        """What the clicks stand for."""
+        return Way[self._way.currentData()]
+
+    def choose_way(self, way: Way) -> None:
+        """Let the clicks stand for something else."""
+        self._way.setCurrentIndex(list(Way).index(way))
 
     def say(self, sentence: str) -> None:
         """Tell the user what to do now, or what went wrong."""
         self._sentence.setText(sentence)
 
     def show_progress(self, running: bool) -> None:
-        """Show or hide the progress bar and the stop button."""
-        self._progress.setRange(0, 0)
+        """Show or hide how far a scan is and the stop button."""
+        self._so_far.setText(translate("Looking for\nthe edge …"))
+        self.stop.setEnabled(True)
         self._running.setVisible(running)
+        if running:
+            self._result.setVisible(False)
 
-    def progress_to(self, fraction: float) -> None:
-        """Show the share that is done; nan when nobody knows."""
-        if np.isfinite(fraction):
-            self._progress.setRange(0, 1000)
-            self._progress.setValue(round(1000 * fraction))
+    def progress_to(self, points: Any) -> None:
+        """Show how much of the edge there is, edge points (m, 3); nobody knows how much is left."""
+        length = float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum())
+        text = translate("{count} edge points\n{length}")
+        self._so_far.setText(text.format(count=len(points), length=length_text(length)))
 
-    def show_edge(self, edge: Any) -> None:
-        """Show the figures of a ScannedEdge, or none."""
+    def show_edge(self, edge: ScannedEdge | None) -> None:
+        """Show the figures of an edge and its evidence, or none."""
         self._result.setVisible(edge is not None)
+        self.evidence.show_edge(edge)
+        self.view.show_sigma(None if edge is None else edge.sigma)
         if edge is None:
+            self._figures.setText("")
             return
-        self._values["Length"].setText(_length(edge.length))
-        self._values["Mean sigma"].setText(f"{1000 * float(np.nanmean(edge.sigma)):.1f} µm")
-        self._values["Mean angle"].setText(f"{np.degrees(float(np.nanmean(edge.angle))):.1f}°")
+        self._figures.setText(_figures(edge))
         self._message.setText(edge.message)
 
 
-def _length(millimetres: float) -> str:
-    """A length in the units the user works in."""
-    return str(FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString)
+def _scrolling(widget: Any) -> Any:
+    """A long page that scrolls by itself instead of making all pages long."""
+    area = QtWidgets.QScrollArea()
+    area.setFrameShape(QtWidgets.QFrame.NoFrame)
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+    area.setWidget(widget)
+    return area
+
+
+def _figures(edge: ScannedEdge) -> str:
+    text = translate("On average: sigma {sigma}, angle {angle}").format(
+        sigma=length_text(float(np.nanmean(edge.sigma))),
+        angle=angle_text(float(np.nanmean(edge.angle))),
+    )
+    radii = edge.fillet_radius[np.isfinite(edge.fillet_radius)]
+    if len(radii) >= 0.5 * len(edge):
+        radius = length_text(float(np.median(radii)))
+        text += translate(", rounding {radius}").format(radius=radius)
+    return text

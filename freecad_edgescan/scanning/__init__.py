@@ -16,6 +16,7 @@ from .scan import scan_edge
 from .scan_lines import ScanLine, ScanLines
 from .scanned_edge import ScannedEdge
 from .section import Frames, Section, Station
+from .section_outline import SectionOutline, section_outline
 from .start import Gate, Start
 from .stop import Stop
 
@@ -40,6 +41,7 @@ __all__ = [
     "ScanParameters",
     "ScannedEdge",
     "Section",
+    "SectionOutline",
     "SoFar",
     "Start",
     "Station",
@@ -49,4 +51,5 @@ __all__ = [
     "recommend_parameters",
     "scan_boundary",
     "scan_edge",
+    "section_outline",
 ]

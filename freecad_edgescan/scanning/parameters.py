@@ -12,7 +12,7 @@ import numpy as np
 
 from .errors import ScanError
 from .safeguards import Safeguards
-from .start import numbers
+from .start import UNIT_BLUR, numbers
 
 
 class Pattern(StrEnum):
@@ -179,5 +179,7 @@ def _direction(value: object) -> tuple[float, float, float] | None:
     vector = numbers(value)
     if vector is None or not np.any(vector):
         raise ScanError(f"The approach is {value!r}; give a direction of three numbers, not zero.")
-    x, y, z = (float(part) for part in vector / np.linalg.norm(vector))
+    size = float(np.linalg.norm(vector))
+    # A unit vector stays as it is, bit for bit: it may have been kept in a document or a macro.
+    x, y, z = (float(part) for part in (vector if abs(size - 1.0) <= UNIT_BLUR else vector / size))
     return x, y, z

@@ -178,13 +178,14 @@ class PatchSection:
         )
         sigma = largest_sigma(corner.covariance)
         noise = np.sqrt(fits.variance.min(axis=1)) * settings.reach
-        lost_in_noise = ~(sigma <= 0.5 * fits.begins.max(axis=1) + 2.0 * settings.cloud_pitch)
+        cover, begins, ends = _cover(kept, fits), fits.begins, fits.ends
+        lost_in_noise = ~(sigma <= 0.5 * begins.max(axis=1) + 2.0 * settings.cloud_pitch)
         stops = np.full(sections, None, dtype=object)
         stops[noise > _MOST_SCATTER * settings.noise] = Stop.CORNER
         stops[lost_in_noise] = Stop.LOST
         stops[measured.turn < settings.min_angle / 2.0] = Stop.SMOOTH
         reach = np.full(sections, settings.reach)
-        seen = Sections(measured, sigma, noise, fits.begins, _cover(kept, fits), stops, reach)
+        seen = Sections(measured, sigma, noise, begins, ends, cover, stops, reach)
         if np.all(enough & ~lost):
             return seen
         missing[enough] = Stop.LOST

@@ -36,6 +36,10 @@ class ProbedLines:
         """The same lines in the other order."""
         return ProbedLines(self.lines[::-1], self.frames.backward(), self.edge_points[::-1])
 
+    def course(self, j: int) -> np.ndarray:
+        """Where line j was touched: its contacts in the order of travel, (k, 3) mm in space."""
+        return self.lines[j].contacts
+
     def __getitem__(self, j: int) -> ScanLine:
         """Return the line of edge point j, in the plane across the edge."""
         if not -len(self) <= j < len(self):

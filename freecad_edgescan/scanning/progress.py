@@ -39,6 +39,27 @@ class SoFar:
         """Those that are new since the last update, (k, 3) mm."""
         return _points(self.new_stations)
 
+    @property
+    def sigma(self) -> np.ndarray:
+        """Standard deviation of each edge point as the walk knows it, (m,) mm."""
+        return np.array([station.sigma for station in self.stations])
+
+    @property
+    def scan_lines(self) -> list[np.ndarray]:
+        """Where each edge point was measured: (k, 3) mm, across the edge.
+
+        The contacts of a probe; without a probe both sides as far as they were used, straight.
+        """
+        return [_scan_line(station) for station in self.stations]
+
+
+def _scan_line(station: Station) -> np.ndarray:
+    if station.line is not None:
+        return station.line.contacts
+    frame = station.frame
+    ends = frame.origin + np.asarray(station.ends)[:, None] * frame.sides[0]
+    return np.array([ends[0], frame.origin[0], ends[1]])
+
 
 def _points(stations: Sequence[Station]) -> np.ndarray:
     return np.array([station.frame.origin[0] for station in stations]).reshape(-1, 3)

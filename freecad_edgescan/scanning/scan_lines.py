@@ -10,6 +10,8 @@ import numpy as np
 from .section import Frames, SectionPoints
 from .side_fit import SideFits
 
+_OF_A_SIDE = 8  # of the points of a fitted side, one of so many shows its course
+
 
 @dataclass(frozen=True)
 class ScanLine:
@@ -35,6 +37,10 @@ class ScanLine:
     edge_point: np.ndarray
     axes: np.ndarray
     origin: np.ndarray
+
+    def in_space(self, places: np.ndarray) -> np.ndarray:
+        """Places of the plane (k, 2) in the cloud's coordinates, (k, 3) mm."""
+        return np.asarray(self.origin + places @ self.axes)
 
 
 def upright_axes(normals: np.ndarray, tangent: np.ndarray) -> np.ndarray:
@@ -89,6 +95,11 @@ class ScanLines:
             axes,
             self.frames.origin[j],
         )
+
+    def course(self, j: int) -> np.ndarray:
+        """Where section j was measured: both fitted sides from end to end, (k, 3) mm in space."""
+        first, second = (self._curve(j, k)[::_OF_A_SIDE] for k in (0, 1))
+        return np.asarray(self.frames.origin[j] + np.vstack([first[::-1], second]))
 
     def reversed(self) -> ScanLines:
         """The same sections, walked the other way."""

@@ -210,7 +210,7 @@ class Station:
     frame : one section that stands on the edge point
     sigma : standard deviation of the edge point, mm
     noise : noise met on the two sides, mm
-    begins : (2,) distance from the edge where each side's support begins, mm
+    begins, ends : (2,) distance from the edge where each side's support begins and ends, mm
     cover : how much of the two sides' points the fits explain, 0 … 1
     stop : why no edge point could be measured here; None when there is one
     step : length of the step that led here, mm; nan at the first station
@@ -228,6 +228,7 @@ class Station:
     step: float = np.nan
     surprise: float = np.nan
     line: ProbedLine | None = None
+    ends: tuple[float, float] = (np.nan, np.nan)
 
 
 class Section(Protocol):

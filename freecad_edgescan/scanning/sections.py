@@ -13,7 +13,7 @@ from .stop import Stop
 
 __all__ = ["Sections"]
 
-_ARRAYS = ("sigma", "noise", "begins", "cover", "stops", "reach")
+_ARRAYS = ("sigma", "noise", "begins", "ends", "cover", "stops", "reach")
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Sections:
     frames : (m) sections that stand on the edge points; as predicted where no sides meet
     sigma : (m,) mm, standard deviation of the edge point; nan where no sides meet
     noise : (m,) mm, met on the better side
-    begins : (m, 2) mm, where each side's support begins
+    begins, ends : (m, 2) mm from the edge, where each side's support begins and ends
     cover : (m,) how much of the two sides' points the fits explain, 0 … 1
     stops : (m,) of Stop, why there is no edge point; None where there is one
     reach : (m,) mm, that they were measured with
@@ -35,6 +35,7 @@ class Sections:
     sigma: np.ndarray
     noise: np.ndarray
     begins: np.ndarray
+    ends: np.ndarray
     cover: np.ndarray
     stops: np.ndarray
     reach: np.ndarray
@@ -45,9 +46,9 @@ class Sections:
         count = len(frames)
         unknown, reasons = np.full(count, np.nan), np.empty(count, dtype=object)
         reasons[:] = stops
-        begins = np.full((count, 2), np.nan)
+        nowhere, reaches = np.full((count, 2), np.nan), np.full(count, reach)
         return Sections(
-            frames, unknown, unknown, begins, np.zeros(count), reasons, np.full(count, reach)
+            frames, unknown, unknown, nowhere, nowhere, np.zeros(count), reasons, reaches
         )
 
     def __len__(self) -> int:
@@ -84,12 +85,13 @@ class Sections:
 
     def station(self, number: int) -> Station:
         """One of them as a station of a walk."""
-        first, second = self.begins[number].tolist()
+        begins, ends = self.begins[number].tolist(), self.ends[number].tolist()
         return Station(
             self.frames[number],
             float(self.sigma[number]),
             float(self.noise[number]),
-            (first, second),
+            (begins[0], begins[1]),
             float(self.cover[number]),
             self.stops[number],
+            ends=(ends[0], ends[1]),
         )

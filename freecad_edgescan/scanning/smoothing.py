@@ -293,7 +293,11 @@ def _runs(chosen: np.ndarray) -> list[slice]:
 
 def _distance(gap: np.ndarray, covariance: np.ndarray) -> np.ndarray:
     """Squared Mahalanobis distance, (m,)."""
-    return np.einsum("ma,mab,mb->m", gap, np.linalg.pinv(covariance, hermitian=True), gap)
+    a, b, d = covariance[:, 0, 0], covariance[:, 0, 1], covariance[:, 1, 1]
+    # Estimates that share nearly everything differ along one direction only.
+    determinant = np.maximum(a * d - b * b, 1e-12 * np.square(a + d) + 1e-300)
+    square = d * gap[:, 0] ** 2 - 2.0 * b * gap[:, 0] * gap[:, 1] + a * gap[:, 1] ** 2
+    return np.maximum(square, 0.0) / determinant
 
 
 def _smaller(covariance: np.ndarray, other: np.ndarray) -> np.ndarray:
@@ -301,9 +305,11 @@ def _smaller(covariance: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 def _root(covariance: np.ndarray) -> np.ndarray:
-    """Symmetric matrices (m, 2, 2) whose square is the covariance.
+    """Symmetric matrices (m, 2, 2) whose square is the covariance (Cayley and Hamilton).
 
     Symmetric ones are alike where covariances are; those of Cholesky or of eigenvectors need not.
     """
-    values, vectors = np.linalg.eigh(covariance)
-    return np.einsum("mai,mi,mbi->mab", vectors, np.sqrt(np.maximum(values, 0.0)), vectors)
+    determinant = np.prod(np.diagonal(covariance, axis1=1, axis2=2), axis=1)
+    determinant = np.sqrt(np.maximum(determinant - covariance[:, 0, 1] ** 2, 0.0))
+    size = np.sqrt(np.maximum(np.trace(covariance, axis1=1, axis2=2) + 2.0 * determinant, 1e-300))
+    return (covariance + determinant[:, None, None] * np.eye(2)) / size[:, None, None]

@@ -11,6 +11,7 @@ import numpy as np
 from .errors import ScanError
 
 Vector = Sequence[float] | np.ndarray
+UNIT_BLUR = 8 * float(np.finfo(float).eps)  # what rounding leaves between a unit vector and 1
 
 
 @dataclass(frozen=True)
@@ -113,7 +114,8 @@ def _unit(name: str, value: Vector) -> np.ndarray:
     size = float(np.linalg.norm(vector))
     if size == 0.0:
         raise ScanError(f"The {name} has no length; give two different points or a direction.")
-    unit = vector / size
+    # A unit vector stays as it is, bit for bit: it may have been kept in a document or a macro.
+    unit = vector if abs(size - 1.0) <= UNIT_BLUR else vector / size
     unit.setflags(write=False)
     return unit
 

@@ -416,3 +416,40 @@ def test_a_box_is_no_cloud_to_scan(doc: Any) -> None:
     box = doc.addObject("Part::Box", "Box")
     with pytest.raises(ValueError, match="'Box' is not a point cloud"):
         document.make_scanned_edge(doc, box, at=(0, 0, 0))
+
+
+def test_changed_inputs_are_scanned_and_what_is_not_given_is_automatic_again(
+    doc: Any, edge: Any, scans: list[str]
+) -> None:
+    document.change_scanned_edge(
+        edge, at=(10, 0, 10), parameters=ScanParameters(edge_pitch=1.5, approach=(0, 0, -1))
+    )
+    doc.recompute()
+    assert edge.EdgePitchUsed.Value == 1.5
+    document.change_scanned_edge(edge, at=(20, 7, 10))
+    doc.recompute()
+    assert edge.EdgePitch.Value == 0.0
+    assert tuple(edge.Approach) == (0, 0, 0)
+    ends = Part.makeLine(FreeCAD.Vector(20, 0, 10), FreeCAD.Vector(20, 15, 10))
+    assert all(ends.distToShape(vertex)[0] < 3 * NOISE for vertex in edge.Shape.Vertexes)
+    assert scans == [edge.Name] * 2
+
+
+def test_the_same_inputs_given_again_change_nothing(doc: Any, cloud: Any, scans: list[str]) -> None:
+    start = Start.from_points((10, 3, 10), (10, 0, 10), (14, 3, 10))
+    gate = Gate.from_points((16, 3, 10), (16, 0, 10))
+    given = ScanParameters(amplitude=6.0, probe_radius=0.0)
+    edge = document.make_scanned_edge(doc, cloud, start, gate, given)
+    doc.recompute()
+    document.change_scanned_edge(edge, start, gate, given)
+    assert "Touched" not in edge.State
+    document.change_scanned_edge(edge, (10, 0, 10))
+    doc.recompute()
+    assert scans == [edge.Name] * 2
+    assert not edge.UseGate and not edge.OwnProbeRadius
+    assert tuple(edge.Across) == tuple(edge.GateAcross) == (0, 0, 0)
+
+
+def test_only_scanned_edges_can_be_changed(doc: Any, cloud: Any) -> None:
+    with pytest.raises(ValueError, match="not a scanned edge"):
+        document.change_scanned_edge(cloud, (0, 0, 0))

@@ -14,7 +14,7 @@ from freecad_edgescan.experiments import draw_cloud, draw_edges, draw_errors, dr
 from freecad_edgescan.experiments.cloud_picture import _VIEWS
 from freecad_edgescan.experiments.error_picture import signed_errors
 from freecad_edgescan.experiments.relief import relief
-from freecad_edgescan.scanning import Gate, Start, scan_edge
+from freecad_edgescan.scanning import Gate, Start, scan_edge, section_outline
 
 BOX = CoreBox.small()
 
@@ -63,17 +63,12 @@ def test_a_view_without_a_direction_is_refused(cloud, edges, tmp_path: Path) -> 
 
 
 def test_the_moved_sides_meet_in_the_edge_point(edges) -> None:
-    from freecad_edgescan.experiments.section_picture import _moved_towards
-
-    line = edges[0].scan_lines[20]
-    probe = edges[0].parameters.probe_radius
-    for side in (0, 1):
-        curve = line.curves[side]
-        moved = _moved_towards(curve, line.edge_point, probe)
-        np.testing.assert_allclose(moved[0], line.edge_point)
+    outline = section_outline(edges[0], 20)
+    for curve, moved in zip(outline.line.curves, outline.surfaces, strict=True):
+        np.testing.assert_allclose(moved[0], outline.line.edge_point)
         assert np.linalg.norm(moved[1] - moved[0]) < np.linalg.norm(curve[-1] - curve[0]) / 10
         gaps = np.linalg.norm(moved[1:, None] - curve, axis=2).min(axis=1)
-        np.testing.assert_allclose(gaps, probe, rtol=0.02)
+        np.testing.assert_allclose(gaps, outline.probe_radius, rtol=0.02)
 
 
 @pytest.mark.parametrize("view", _VIEWS, ids=lambda view: view[-1])

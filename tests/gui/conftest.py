@@ -71,6 +71,27 @@ class Window:
         """What the panel says at its top."""
         return self.panel.form.sentence
 
+    @property
+    def cloud(self) -> Any:
+        """The roof's cloud."""
+        return self.doc.findObjects("Points::Feature")[0]
+
+    def open_panel(self) -> None:
+        """Start the command Scan edge, and wait until a click is answered at once."""
+        Gui.runCommand("EdgeScan_ScanEdge")
+        self.settle(0.1)
+        self.wait_until(lambda: self.panel._clouds.ready)
+
+    def found(self) -> None:
+        """Wait for the edge."""
+        self.wait_until(lambda: self.button("Ok").isEnabled())
+
+    def ok(self) -> None:
+        """Press OK and wait until the panel has gone."""
+        self.button("Ok").click()
+        self.wait_until(lambda: not Gui.Control.activeDialog())
+        self.settle()
+
     def button(self, name: str) -> Any:
         """OK or Cancel of the open panel."""
         # Not searched for among the widgets: PySide would keep what it finds alive in Python,
@@ -118,6 +139,16 @@ class Window:
         """Click where a point is seen."""
         self.click_pixel(*self.pixel_of(point))
 
+    def hover(self, point: tuple[float, float, float]) -> None:
+        """Move the mouse over a place."""
+        x, y = self.pixel_of(point)
+        ratio = self.viewport.devicePixelRatioF()
+        place = QtCore.QPointF(x / ratio, (self.view.getSize()[1] - y - 1) / ratio)
+        none = QtCore.Qt.NoButton
+        event = QtGui.QMouseEvent(QtCore.QEvent.MouseMove, place, none, none, QtCore.Qt.NoModifier)
+        QtWidgets.QApplication.sendEvent(self.viewport, event)
+        self.settle(0.1)
+
     def press_escape(self) -> None:
         """Press Esc over the 3D view."""
         for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
@@ -140,6 +171,8 @@ class Window:
             self.doc.UndoCount,
             self.view.getSceneGraph().getNumChildren(),
             self.view.getSceneGraph().getField("selectionRole").getValue(),
+            [o.ViewObject.SwitchNode.whichChild.getValue() for o in self.doc.Objects],
+            [o.ViewObject.Visibility for o in self.doc.Objects],
         )
 
     def picture(self, name: str) -> None:
@@ -203,6 +236,8 @@ def window(workbench: Any, panels: list[Any], tmp_path: Path) -> Iterator[Window
     window.view.fitAll()
     window.settle(0.2)
     yield window
+    if window.panels and window.panel is not None:
+        window.panel.close()
     if Gui.Control.activeDialog():
         Gui.Control.closeDialog()
     window.settle()

@@ -80,3 +80,18 @@ def test_a_click_can_be_cancelled_on_either_way(long_wedge):
         assert Stop.CANCELLED in edge.stops
         assert len(edge) >= 3
         assert part.distance(edge.points).max() < 0.15
+
+
+def test_the_scan_lines_so_far_lie_across_the_edge_on_both_sides(long_wedge):
+    class Last(Listener):
+        def update(self, fraction, so_far):
+            self.lines, self.sigma = so_far.scan_lines, so_far.sigma
+            return super().update(fraction, so_far)
+
+    part, heard = long_wedge, Last()
+    scan_edge(part.cloud, part.at(), progress=heard)
+    assert len(heard.lines) == len(heard.sigma) == len(heard.whole[-1])
+    for line in heard.lines:
+        away = line[[0, -1]] - part.middle
+        assert np.ptp(part.place_along(line)) < 2 * PITCH
+        assert np.abs(np.sort(np.abs(away @ part.outward.T), axis=1)[:, 0]).max() < 0.3

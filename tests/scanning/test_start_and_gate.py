@@ -4,7 +4,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from freecad_edgescan.scanning import Gate, ScanError, Start
+from freecad_edgescan.scanning import Gate, ScanError, ScanParameters, Start
 from freecad_edgescan.scanning.edge_gate import LineGate, PointGate
 
 UP = np.array([0.0, 0.0, 1.0])
@@ -107,3 +107,15 @@ def test_a_point_as_gate_is_passed_when_the_walk_moves_away_from_it():
     passed = [gate(a, b) for a, b in pairwise(steps)]
     assert steps[passed.index(True) + 1, 0] == pytest.approx(10.4)
     assert not any(passed[: passed.index(True)])
+
+
+def test_unit_vectors_come_back_bit_for_bit():
+    random = np.random.default_rng(4)
+    for across, aside in random.normal(size=(200, 2, 3)):
+        along = np.cross(across, aside)
+        once = Start((0, 0, 0), across, along)
+        again = Start((0, 0, 0), once.across, once.along)
+        assert np.array_equal(once.across, again.across)
+        assert np.array_equal(once.along, again.along)
+        approach = ScanParameters(approach=across).approach
+        assert ScanParameters(approach=approach).approach == approach

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Opens the scan panel for an edge that is there already."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCADGui
+
+from .message import problems_shown
+from .translation import translate
+
+__all__ = ["edit_scanned_edge"]
+
+
+def edit_scanned_edge(edge: Any) -> None:
+    """Open the panel that made an edge, to change it; or say why that cannot be."""
+    from .scan_edge_panel import ScanEdgePanel
+
+    with problems_shown(translate("Edit scanned edge")):
+        if FreeCADGui.Control.activeDialog():
+            raise ValueError(translate("Finish or cancel the open task panel first."))
+        FreeCADGui.Control.showDialog(ScanEdgePanel(edge.Document, _view_of(edge), edge))
+
+
+def _view_of(edge: Any) -> Any:
+    """The 3D view of the edge's document, the one in front if it is one."""
+    gui_document = FreeCADGui.getDocument(edge.Document.Name)
+    view = gui_document.ActiveView
+    if hasattr(view, "getSceneGraph"):
+        return view
+    views = gui_document.mdiViewsOfType("Gui::View3DInventor")
+    if not views:
+        raise ValueError(translate("Open a 3D view of this document first."))
+    return views[0]

@@ -1,0 +1,405 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whatever happens while the scan panel is open, nothing crashes and nothing is left behind."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+FreeCAD = pytest.importorskip("FreeCAD")
+Gui = pytest.importorskip("FreeCADGui")
+
+from freecad_edgescan import document  # noqa: E402
+from freecad_edgescan.gui.background import running  # noqa: E402
+from freecad_edgescan.gui.qt import QtCore, QtWidgets  # noqa: E402
+
+from .conftest import roof  # noqa: E402
+
+ON_THE_RIDGE = (0.3, 2.0, 5.0)
+PREVIEWS = ("EdgeScanPreview", "EdgeScanThinnedClouds")
+
+
+@pytest.fixture
+def observers(window: Any, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+    """The document observers that are registered and not removed."""
+    document.point_cloud(window.cloud)  # its own observer stays, once
+    present: list[Any] = []
+    add, remove = FreeCAD.addDocumentObserver, FreeCAD.removeDocumentObserver
+
+    def note(observer: Any) -> None:
+        present.append(observer)
+        add(observer)
+
+    def forget(observer: Any) -> None:
+        if observer in present:
+            present.remove(observer)
+        remove(observer)
+
+    monkeypatch.setattr(FreeCAD, "addDocumentObserver", note)
+    monkeypatch.setattr(FreeCAD, "removeDocumentObserver", forget)
+    return present
+
+
+@pytest.fixture
+def callbacks(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Kinds of events of the 3D view that are still listened to."""
+    from freecad_edgescan.gui import view_clicks
+
+    present: list[str] = []
+
+    class Counting(view_clicks.ViewClicks):
+        def __init__(self, view: Any, *answers: Any) -> None:
+            super().__init__(view, *answers)
+            present.extend(kind for kind, _ in self._callbacks)
+
+        def close(self) -> None:
+            if self._view is not None:
+                for kind, _ in self._callbacks:
+                    present.remove(kind)
+            super().close()
+
+    monkeypatch.setattr("freecad_edgescan.gui.scan_edge_panel.ViewClicks", Counting)
+    return present
+
+
+def before_a_click(window: Any) -> None:
+    window.open_panel()
+
+
+def before_the_index(window: Any) -> None:
+    Gui.runCommand("EdgeScan_ScanEdge")
+
+
+def at_once_after_a_click(window: Any) -> None:
+    window.open_panel()
+    window.click(ON_THE_RIDGE)
+
+
+def while_it_walks(window: Any) -> None:
+    at_once_after_a_click(window)
+    window.wait_until(lambda: len(window.panel._display.preview.edge.points) > 0)
+
+
+def with_an_edge(window: Any) -> None:
+    at_once_after_a_click(window)
+    window.found()
+
+
+def after_a_failure(window: Any) -> None:
+    window.open_panel()
+    window.click((8.0, 0.0, 5.0 - 0.8 * 8.0))
+    window.wait_until(lambda: "being followed" not in window.sentence)
+
+
+def by_escape(window: Any) -> None:
+    window.press_escape()
+
+
+def by_cancel(window: Any) -> None:
+    window.button("Cancel").click()
+
+
+def by_the_cross(window: Any) -> None:
+    window.settle()
+    dock = window.panel.form
+    while not isinstance(dock, QtWidgets.QDockWidget):
+        dock = dock.parentWidget()
+    dock.close()
+    QtCore.QTimer.singleShot(500, dock.show)
+
+
+def by_freecad(window: Any) -> None:
+    Gui.Control.closeDialog()
+
+
+MOMENTS = [
+    *(before_a_click, before_the_index, at_once_after_a_click),
+    *(while_it_walks, with_an_edge, after_a_failure),
+]
+
+
+@pytest.mark.parametrize(
+    ("way_out", "moment"),
+    [
+        *((by_escape, moment) for moment in MOMENTS),
+        *((by_cancel, moment) for moment in (before_a_click, while_it_walks)),
+        *((by_the_cross, moment) for moment in (before_the_index, while_it_walks, with_an_edge)),
+        *((by_freecad, moment) for moment in (while_it_walks, with_an_edge)),
+    ],
+)
+def test_no_way_out_at_any_moment_leaves_a_trace(
+    window: Any,
+    observers: list[Any],
+    callbacks: list[str],
+    moment: Callable[[Any], None],
+    way_out: Callable[[Any], None],
+) -> None:
+    before = window.trace()
+    threads = threading.active_count()
+    moment(window)
+    assert observers and callbacks
+    way_out(window)
+    window.wait_until(lambda: not Gui.Control.activeDialog(), 20)
+    window.wait_until(lambda: window.trace() == before and running() == 0, 20)
+    window.settle(0.6 if way_out is by_the_cross else 0.0)
+    assert not observers and not callbacks
+    assert threading.active_count() <= threads
+    scene = window.view.getSceneGraph()
+    assert not any(scene.getByName(name) for name in PREVIEWS)
+
+
+def test_the_cross_of_the_view_takes_the_panel_along(window: Any, observers: list[Any]) -> None:
+    with_an_edge(window)
+    answer_question(QtWidgets.QMessageBox.Discard)
+    Gui.getMainWindow().centralWidget().currentSubWindow().close()
+    window.wait_until(lambda: not Gui.Control.activeDialog(), 20)
+    assert not observers
+
+
+def test_a_view_that_stays_open_after_all_keeps_the_panel(window: Any) -> None:
+    with_an_edge(window)
+    answer_question(QtWidgets.QMessageBox.Cancel)
+    Gui.getMainWindow().centralWidget().currentSubWindow().close()
+    window.settle(0.2)
+    assert Gui.Control.activeDialog()
+    window.ok()
+    assert len(window.edges) == 1
+
+
+def answer_question(choice: Any, turns: int = 100) -> None:
+    """Answer FreeCAD's question whether to save, as soon as it is asked."""
+    question = QtWidgets.QApplication.activeModalWidget()
+    if question is not None:
+        question.button(choice).click()
+    elif turns:
+        QtCore.QTimer.singleShot(100, lambda: answer_question(choice, turns - 1))
+
+
+def test_looking_at_an_edge_does_not_change_the_document(window: Any, tmp_path: Path) -> None:
+    window.doc.saveAs(str(tmp_path / "roof.FCStd"))
+    Gui.SendMsgToActiveView("Save")
+    assert not Gui.getDocument(window.doc.Name).Modified
+    with_an_edge(window)
+    by_cancel(window)
+    window.settle(0.1)
+    assert not Gui.getDocument(window.doc.Name).Modified
+
+
+@pytest.mark.parametrize("moment", MOMENTS)
+def test_a_document_may_be_closed_at_any_moment(
+    window: Any, observers: list[Any], moment: Callable[[Any], None]
+) -> None:
+    moment(window)
+    FreeCAD.closeDocument(window.doc.Name)
+    window.wait_until(lambda: not Gui.Control.activeDialog(), 20)
+    window.wait_until(lambda: running() == 0)
+    assert not observers
+
+
+@pytest.mark.parametrize("moment", [at_once_after_a_click, while_it_walks, with_an_edge])
+def test_a_cloud_may_be_deleted_at_any_moment_and_its_deletion_undone(
+    window: Any, moment: Callable[[Any], None]
+) -> None:
+    window.doc.UndoMode = 1
+    moment(window)
+    window.doc.openTransaction("Delete")
+    window.doc.removeObject(window.cloud.Name)
+    window.doc.commitTransaction()
+    window.settle(0.1)
+    assert "deleted" in window.sentence
+    assert not window.button("Ok").isEnabled()
+    window.doc.undo()
+    window.wait_until(lambda: window.panel._display.clouds.count > 0)
+    window.wait_until(lambda: window.panel._clouds.ready)
+    window.click(ON_THE_RIDGE)
+    window.found()
+    window.ok()
+    assert len(window.edges) == 1
+
+
+def test_a_cloud_that_is_moved_under_the_panel_is_to_be_clicked_again(window: Any) -> None:
+    with_an_edge(window)
+    window.cloud.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation())
+    window.settle(0.1)
+    assert "has changed" in window.sentence
+    assert not window.button("Ok").isEnabled()
+    window.view.fitAll()
+    window.settle(0.2)
+    window.wait_until(lambda: window.panel._clouds.ready)
+    window.click((0.3, 2.0, 12.0))
+    window.found()
+    window.ok()
+    assert window.edges[0].Points[5].z == pytest.approx(12.0, abs=0.1)
+
+
+def test_a_part_that_is_moved_takes_its_cloud_along(window: Any) -> None:
+    part = window.doc.addObject("App::Part", "Part")
+    part.addObject(window.cloud)
+    window.doc.recompute()
+    with_an_edge(window)
+    part.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation())
+    window.settle(0.1)
+    assert "has changed" in window.sentence
+    assert not window.button("Ok").isEnabled()
+
+
+def test_another_document_may_be_worked_in_meanwhile(window: Any) -> None:
+    with_an_edge(window)
+    other = FreeCAD.newDocument("Other")
+    window.settle(0.2)
+    other.addObject("Part::Box", "Box")
+    other.recompute()
+    window.panel.buttons.button(QtWidgets.QDialogButtonBox.Ok).click()
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+    assert len(window.edges) == 1
+    assert [item.Name for item in other.Objects] == ["Box"]
+    FreeCAD.closeDocument(other.Name)
+
+
+def test_another_document_may_be_closed_meanwhile(window: Any) -> None:
+    other = FreeCAD.newDocument("Other")
+    document.make_cloud(other, roof() + 100.0)
+    area = Gui.getMainWindow().centralWidget()
+    area.setActiveSubWindow(area.subWindowList()[0])
+    window.settle(0.3)
+    with_an_edge(window)
+    FreeCAD.closeDocument(other.Name)
+    window.settle(0.2)
+    assert Gui.Control.activeDialog()
+    window.ok()
+    assert len(window.edges) == 1
+
+
+def test_a_click_on_another_object_is_answered_by_its_name(window: Any) -> None:
+    box = window.doc.addObject("Part::Box", "Box")
+    box.Placement.Base = FreeCAD.Vector(30, 0, 0)
+    window.doc.recompute()
+    window.view.fitAll()
+    window.settle(0.2)
+    window.open_panel()
+    window.click((35.0, 5.0, 10.0))
+    assert "That is Box" in window.sentence
+
+
+def test_of_two_clouds_the_one_clicked_on_is_scanned(window: Any) -> None:
+    second = document.make_cloud(window.doc, roof() + np.array([0.0, 40.0, 0.0]))
+    window.doc.recompute()
+    window.view.fitAll()
+    window.settle(0.2)
+    with_an_edge(window)
+    window.click((0.3, 42.0, 5.0))
+    window.wait_until(lambda: "being followed" not in window.sentence)
+    window.ok()
+    assert window.edges[0].Cloud is second
+
+
+def test_a_cloud_in_a_hidden_part_counts_as_hidden(window: Any, problems: list[str]) -> None:
+    part = window.doc.addObject("App::Part", "Part")
+    part.addObject(window.cloud)
+    part.ViewObject.Visibility = False
+    window.settle(0.1)
+    Gui.runCommand("EdgeScan_ScanEdge")
+    assert not Gui.Control.activeDialog()
+    assert "visible" in problems[0]
+
+
+# Editing what is there.
+
+
+@pytest.fixture
+def edge(window: Any) -> Any:
+    window.doc.UndoMode = 1
+    with_an_edge(window)
+    window.ok()
+    return window.edges[0]
+
+
+def edit(window: Any, edge: Any) -> None:
+    """Double click on the edge in the tree."""
+    edge.ViewObject.Proxy.doubleClicked(edge.ViewObject)
+    window.settle(0.1)
+    window.found()
+
+
+def test_a_double_click_edits_an_edge_in_one_undo_step(window: Any, edge: Any) -> None:
+    steps, count = window.doc.UndoCount, edge.PointCount
+    edit(window, edge)
+    assert edge.ViewObject.SwitchNode.whichChild.getValue() == -1
+    row = window.panel.form.parameters.row("edge_pitch")
+    row.tick.click()
+    row.box.widget.setProperty("rawValue", 2.0)
+    window.wait_until(lambda: not window.button("Ok").isEnabled())
+    window.found()
+    window.picture("scan_edge_edited")
+    window.ok()
+    assert window.edges == [edge]
+    assert edge.EdgePitch.Value == 2.0 and edge.PointCount < count
+    assert edge.ViewObject.SwitchNode.whichChild.getValue() != -1
+    assert window.doc.UndoCount == steps + 1
+    window.doc.undo()
+    assert edge.EdgePitch.Value == 0.0 and edge.PointCount == count
+
+
+def test_editing_without_a_change_makes_no_undo_step(window: Any, edge: Any) -> None:
+    before = window.trace()
+    edit(window, edge)
+    window.ok()
+    assert window.trace() == before
+
+
+def test_editing_that_is_given_up_leaves_no_trace(window: Any, edge: Any) -> None:
+    before, points = window.trace(), list(edge.Points)
+    edit(window, edge)
+    window.click((0.3, -6.0, 5.0))
+    window.press_escape()
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+    window.wait_until(lambda: window.trace() == before)
+    assert edge.Points == points
+
+
+def test_an_edge_deleted_while_it_is_edited_takes_the_panel_along(window: Any, edge: Any) -> None:
+    edit(window, edge)
+    window.doc.removeObject(edge.Name)
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+
+
+def test_an_edge_whose_cloud_is_gone_says_so(window: Any, edge: Any, problems: list[str]) -> None:
+    window.doc.removeObject(window.cloud.Name)
+    edge.ViewObject.Proxy.doubleClicked(edge.ViewObject)
+    assert not Gui.Control.activeDialog()
+    assert "was deleted" in problems[0]
+
+
+def test_undo_and_redo_under_the_panel(window: Any, edge: Any) -> None:
+    window.open_panel()
+    window.doc.undo()
+    window.settle(0.1)
+    window.doc.redo()
+    window.settle(0.1)
+    window.click(ON_THE_RIDGE)
+    window.found()
+    window.ok()
+    assert len(window.edges) == 2
+
+
+def test_an_edge_can_be_edited_after_save_and_reopen(
+    window: Any, edge: Any, tmp_path: Path
+) -> None:
+    name, path = edge.Name, str(tmp_path / "roof.FCStd")
+    points = [tuple(point) for point in edge.Points]
+    edge.Document.saveAs(path)
+    FreeCAD.closeDocument(edge.Document.Name)
+    doc = FreeCAD.openDocument(path)
+    window.doc, window.view = doc, Gui.getDocument(doc.Name).ActiveView
+    window.settle(0.3)
+    again = doc.getObject(name)
+    edit(window, again)
+    assert np.allclose(window.panel._found.edge.points, points, atol=1e-9)
+    window.ok()
+    assert doc.UndoCount == 0
+    FreeCAD.closeDocument(doc.Name)
