@@ -700,11 +700,11 @@
     </message>
     <message>
       <source>, rounding {radius}</source>
-      <translation type="unfinished" />
+      <translation>, Verrundung {radius}</translation>
     </message>
     <message>
       <source>1 (line)</source>
-      <translation type="unfinished" />
+      <translation>1 (Gerade)</translation>
     </message>
     <message>
       <source>1 of 2: click near an edge of the face.</source>
@@ -712,11 +712,11 @@
     </message>
     <message>
       <source>1 of 3: click beside the edge, where the first scan line begins.</source>
-      <translation type="unfinished" />
+      <translation>1 von 3: Neben die Kante klicken, wo die erste Abtastlinie beginnt.</translation>
     </message>
     <message>
       <source>2 (quadratic)</source>
-      <translation type="unfinished" />
+      <translation>2 (quadratisch)</translation>
     </message>
     <message>
       <source>2 of 2: click on the face, beside that edge.</source>
@@ -724,19 +724,19 @@
     </message>
     <message>
       <source>2 of 3: click across the edge, where that line leads.</source>
-      <translation type="unfinished" />
+      <translation>2 von 3: Jenseits der Kante klicken, wohin diese Linie führt.</translation>
     </message>
     <message>
       <source>3 (cubic)</source>
-      <translation type="unfinished" />
+      <translation>3 (kubisch)</translation>
     </message>
     <message>
       <source>3 + 2 clicks: start and gate</source>
-      <translation type="unfinished" />
+      <translation>3 + 2 Klicks: Start und Ziel</translation>
     </message>
     <message>
       <source>3 of 3: click along the edge, where the walk goes.</source>
-      <translation type="unfinished" />
+      <translation>3 von 3: Weiter vorn an der Kante klicken, wohin der Weg führt.</translation>
     </message>
     <message>
       <source>A cloud of a part whose edges are known exactly: to try EdgeScan, and to see what a scan with another pitch or noise would give.</source>
@@ -752,19 +752,19 @@
     </message>
     <message>
       <source>All points (patch)</source>
-      <translation type="unfinished" />
+      <translation>Alle Punkte (patch)</translation>
     </message>
     <message>
       <source>All points on both sides are the most accurate; line by line touches the cloud as a measuring machine touches a part</source>
-      <translation type="unfinished" />
+      <translation>Alle Punkte beider Seiten sind am genauesten; Linie für Linie tastet die Punktwolke ab wie eine Messmaschine ein Teil</translation>
     </message>
     <message>
       <source>All {whole} points are shown.</source>
-      <translation type="unfinished" />
+      <translation>Alle {whole} Punkte werden angezeigt.</translation>
     </message>
     <message>
       <source>Amplitude</source>
-      <translation type="unfinished" />
+      <translation>Amplitude</translation>
     </message>
     <message>
       <source>Angle</source>
@@ -772,11 +772,11 @@
     </message>
     <message>
       <source>Approach</source>
-      <translation type="unfinished" />
+      <translation>Antastrichtung</translation>
     </message>
     <message>
       <source>Blue: well known. Yellow: the least known points of this edge</source>
-      <translation type="unfinished" />
+      <translation>Blau: genau bekannt. Gelb: die am wenigsten genau bekannten Punkte dieser Kante</translation>
     </message>
     <message>
       <source>Bring a 3D view to the front, then start again.</source>
@@ -788,15 +788,15 @@
     </message>
     <message>
       <source>Change what you like; OK keeps it. A click on the cloud scans another edge.</source>
-      <translation type="unfinished" />
+      <translation>Beliebig ändern; OK behält es. Ein Klick auf die Punktwolke tastet eine andere Kante ab.</translation>
     </message>
     <message>
       <source>Chord height</source>
-      <translation type="unfinished" />
+      <translation>Sehnenhöhe</translation>
     </message>
     <message>
       <source>Click near the edge where the scan is to end. OK keeps all of it.</source>
-      <translation type="unfinished" />
+      <translation>Nahe der Kante klicken, wo die Abtastung enden soll. OK behält sie ganz.</translation>
     </message>
     <message>
       <source>Click on the cloud near a rim of the pipe: the edge is followed both ways until it ends. Then OK keeps it; Undo takes it away again.</source>
@@ -808,15 +808,15 @@
     </message>
     <message>
       <source>Click on the cloud, near the edge you want, where the scan begins.</source>
-      <translation type="unfinished" />
+      <translation>Auf die Punktwolke klicken, nahe der gewünschten Kante, wo die Abtastung beginnt.</translation>
     </message>
     <message>
       <source>Click on the cloud, near the edge you want.</source>
-      <translation type="unfinished" />
+      <translation>Auf die Punktwolke klicken, nahe der gewünschten Kante.</translation>
     </message>
     <message>
       <source>Click to see the section there. Arrows: along the edge</source>
-      <translation type="unfinished" />
+      <translation>Klicken zeigt den Schnitt dort. Pfeiltasten: entlang der Kante</translation>
     </message>
     <message>
       <source>Close the guide</source>
@@ -832,7 +832,7 @@
     </message>
     <message>
       <source>Colour by sigma</source>
-      <translation type="unfinished" />
+      <translation>Nach Sigma färben</translation>
     </message>
     <message>
       <source>Compensate cloud</source>
@@ -840,7 +840,7 @@
     </message>
     <message>
       <source>Compensation</source>
-      <translation type="unfinished" />
+      <translation>Tasterkorrektur</translation>
     </message>
     <message>
       <source>Computing. Cancel gives it up.</source>
@@ -856,39 +856,39 @@
     </message>
     <message>
       <source>Cross-section of the edge</source>
-      <translation type="unfinished" />
+      <translation>Querschnitt der Kante</translation>
     </message>
     <message>
       <source>Degree</source>
-      <translation type="unfinished" />
+      <translation>Grad</translation>
     </message>
     <message>
       <source>Degree of a line section</source>
-      <translation type="unfinished" />
+      <translation>Grad eines Linienschnitts</translation>
     </message>
     <message>
       <source>Direction the probe came along; the air lies against it</source>
-      <translation type="unfinished" />
+      <translation>Richtung, in der der Taster kam; die Luft liegt ihr entgegen</translation>
     </message>
     <message>
       <source>Distance of the cloud's points, which tells a gap from surface</source>
-      <translation type="unfinished" />
+      <translation>Abstand der Punkte der Punktwolke; er unterscheidet Lücken von Oberfläche</translation>
     </message>
     <message>
       <source>Distance of the edge points</source>
-      <translation type="unfinished" />
+      <translation>Abstand der Kantenpunkte</translation>
     </message>
     <message>
       <source>Distance of the points on a scan line</source>
-      <translation type="unfinished" />
+      <translation>Abstand der Punkte auf einer Abtastlinie</translation>
     </message>
     <message>
       <source>Edge pitch</source>
-      <translation type="unfinished" />
+      <translation>Kantenpunktabstand</translation>
     </message>
     <message>
       <source>Edge point</source>
-      <translation type="unfinished" />
+      <translation>Kantenpunkt</translation>
     </message>
     <message>
       <source>Edge points with sigma</source>
@@ -908,15 +908,15 @@
     </message>
     <message>
       <source>Edit scanned edge</source>
-      <translation type="unfinished" />
+      <translation>Abgetastete Kante bearbeiten</translation>
     </message>
     <message>
       <source>Edit the scan</source>
-      <translation type="unfinished" />
+      <translation>Abtastung bearbeiten</translation>
     </message>
     <message>
       <source>End the scan and keep the edge as far as it is known</source>
-      <translation type="unfinished" />
+      <translation>Die Abtastung beenden und die Kante behalten, soweit sie bekannt ist</translation>
     </message>
     <message>
       <source>Error to expect</source>
@@ -932,23 +932,23 @@
     </message>
     <message>
       <source>Gate, 1 of 2: click beside the edge on the same side. OK needs no gate.</source>
-      <translation type="unfinished" />
+      <translation>Ziel, 1 von 2: Auf derselben Seite neben die Kante klicken. OK geht auch ohne Ziel.</translation>
     </message>
     <message>
       <source>Gate, 2 of 2: click across the edge.</source>
-      <translation type="unfinished" />
+      <translation>Ziel, 2 von 2: Jenseits der Kante klicken.</translation>
     </message>
     <message>
       <source>Go along the edge</source>
-      <translation type="unfinished" />
+      <translation>Die Kante entlanggehen</translation>
     </message>
     <message>
       <source>Hide the points before and behind the section that is looked at</source>
-      <translation type="unfinished" />
+      <translation>Die Punkte vor und hinter dem betrachteten Schnitt ausblenden</translation>
     </message>
     <message>
       <source>Hold Ctrl for clicks.</source>
-      <translation type="unfinished" />
+      <translation>Zum Klicken Strg gedrückt halten.</translation>
     </message>
     <message>
       <source>Hold Ctrl while clicking.</source>
@@ -956,23 +956,23 @@
     </message>
     <message>
       <source>How far the measuring machine goes on looking for the surface</source>
-      <translation type="unfinished" />
+      <translation>Wie weit die Messmaschine nach der Oberfläche weitersucht</translation>
     </message>
     <message>
       <source>How the direction of the edge is found</source>
-      <translation type="unfinished" />
+      <translation>Wie die Richtung der Kante gefunden wird</translation>
     </message>
     <message>
       <source>How the next scan line is placed</source>
-      <translation type="unfinished" />
+      <translation>Wie die nächste Abtastlinie gelegt wird</translation>
     </message>
     <message>
       <source>How the probe radius is taken off</source>
-      <translation type="unfinished" />
+      <translation>Wie der Tasterradius abgezogen wird</translation>
     </message>
     <message>
       <source>How the scan lines follow each other</source>
-      <translation type="unfinished" />
+      <translation>Wie die Abtastlinien aufeinander folgen</translation>
     </message>
     <message>
       <source>Import cloud</source>
@@ -984,11 +984,11 @@
     </message>
     <message>
       <source>Kept as far as it was scanned: a gate ends it there now.</source>
-      <translation type="unfinished" />
+      <translation>Behalten, soweit abgetastet: Ein Ziel beendet die Kante jetzt dort.</translation>
     </message>
     <message>
       <source>Largest deviation of the chord between two edge points from the edge</source>
-      <translation type="unfinished" />
+      <translation>Größte Abweichung der Sehne zwischen zwei Kantenpunkten von der Kante</translation>
     </message>
     <message>
       <source>Length</source>
@@ -996,28 +996,29 @@
     </message>
     <message>
       <source>Length of a scan line along the surface, half of it on each side</source>
-      <translation type="unfinished" />
+      <translation>Länge einer Abtastlinie entlang der Oberfläche, zur Hälfte auf jeder Seite</translation>
     </message>
     <message>
       <source>Line by line (probe)</source>
-      <translation type="unfinished" />
+      <translation>Linie für Linie (probe)</translation>
     </message>
     <message>
       <source>Line pitch</source>
-      <translation type="unfinished" />
+      <translation>Linienpunktabstand</translation>
     </message>
     <message>
       <source>Look along the edge</source>
-      <translation type="unfinished" />
+      <translation>Entlang der Kante blicken</translation>
     </message>
     <message>
       <source>Looking for
 the edge …</source>
-      <translation type="unfinished" />
+      <translation>Die Kante
+wird gesucht …</translation>
     </message>
     <message>
       <source>Make every parameter automatic again</source>
-      <translation type="unfinished" />
+      <translation>Alle Parameter wieder automatisch bestimmen</translation>
     </message>
     <message>
       <source>Mean sigma</source>
@@ -1033,7 +1034,7 @@ the edge …</source>
     </message>
     <message>
       <source>No point cloud can be seen. Show one in the tree, then click on it.</source>
-      <translation type="unfinished" />
+      <translation>Es ist keine Punktwolke zu sehen. Eine im Baum einblenden, dann darauf klicken.</translation>
     </message>
     <message>
       <source>Noise level</source>
@@ -1045,7 +1046,7 @@ the edge …</source>
     </message>
     <message>
       <source>OK keeps this edge. Click elsewhere to scan another one instead.</source>
-      <translation type="unfinished" />
+      <translation>OK behält diese Kante. Anderswo klicken, um stattdessen eine andere abzutasten.</translation>
     </message>
     <message>
       <source>OK keeps this. Click elsewhere to begin again.</source>
@@ -1057,15 +1058,15 @@ the edge …</source>
     </message>
     <message>
       <source>Of the cloud's points, in pixels; own: as elsewhere</source>
-      <translation type="unfinished" />
+      <translation>Der Punkte der Punktwolke, in Pixeln; eigene: wie sonst auch</translation>
     </message>
     <message>
       <source>On average: sigma {sigma}, angle {angle}</source>
-      <translation type="unfinished" />
+      <translation>Im Mittel: Sigma {sigma}, Winkel {angle}</translation>
     </message>
     <message>
       <source>One click: the whole edge</source>
-      <translation type="unfinished" />
+      <translation>Ein Klick: die ganze Kante</translation>
     </message>
     <message>
       <source>One point for each pitch² of surface.</source>
@@ -1077,11 +1078,11 @@ the edge …</source>
     </message>
     <message>
       <source>Only points at the section</source>
-      <translation type="unfinished" />
+      <translation>Nur Punkte am Schnitt</translation>
     </message>
     <message>
       <source>Open a 3D view of this document first.</source>
-      <translation type="unfinished" />
+      <translation>Zuerst eine 3D-Ansicht dieses Dokuments öffnen.</translation>
     </message>
     <message>
       <source>Open a document first, or import a cloud.</source>
@@ -1093,11 +1094,11 @@ the edge …</source>
     </message>
     <message>
       <source>Parameters</source>
-      <translation type="unfinished" />
+      <translation>Parameter</translation>
     </message>
     <message>
       <source>Pattern</source>
-      <translation type="unfinished" />
+      <translation>Muster</translation>
     </message>
     <message>
       <source>Picture with histogram</source>
@@ -1109,11 +1110,11 @@ the edge …</source>
     </message>
     <message>
       <source>Point size</source>
-      <translation type="unfinished" />
+      <translation>Punktgröße</translation>
     </message>
     <message>
       <source>Prehit distance</source>
-      <translation type="unfinished" />
+      <translation>Antastabstand</translation>
     </message>
     <message>
       <source>Probe &amp;radius:</source>
@@ -1121,7 +1122,7 @@ the edge …</source>
     </message>
     <message>
       <source>Probe radius</source>
-      <translation type="unfinished" />
+      <translation>Tasterradius</translation>
     </message>
     <message>
       <source>Radius of a ball that rolls over the part; the points are its centres. 0: the points lie on the part.</source>
@@ -1129,7 +1130,7 @@ the edge …</source>
     </message>
     <message>
       <source>Radius of the ball whose centres the cloud holds; 0: surface points</source>
-      <translation type="unfinished" />
+      <translation>Radius der Kugel, deren Mittelpunkte die Punktwolke enthält; 0: Oberflächenpunkte</translation>
     </message>
     <message>
       <source>Radius of the ball, when the file holds the centres of a probing ball; 0: the points lie on the part.</source>
@@ -1149,7 +1150,7 @@ the edge …</source>
     </message>
     <message>
       <source>Reset</source>
-      <translation type="unfinished" />
+      <translation>Zurücksetzen</translation>
     </message>
     <message>
       <source>Rounding</source>
@@ -1157,7 +1158,7 @@ the edge …</source>
     </message>
     <message>
       <source>Rounding radius</source>
-      <translation type="unfinished" />
+      <translation>Verrundungsradius</translation>
     </message>
     <message>
       <source>Save deviations</source>
@@ -1177,39 +1178,39 @@ the edge …</source>
     </message>
     <message>
       <source>Scan lines</source>
-      <translation type="unfinished" />
+      <translation>Abtastlinien</translation>
     </message>
     <message>
       <source>Scanning tolerance of a line section</source>
-      <translation type="unfinished" />
+      <translation>Abtasttoleranz eines Linienschnitts</translation>
     </message>
     <message>
       <source>Search distance</source>
-      <translation type="unfinished" />
+      <translation>Suchabstand</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translation>Schnitt</translation>
     </message>
     <message>
       <source>Show scan lines</source>
-      <translation type="unfinished" />
+      <translation>Abtastlinien anzeigen</translation>
     </message>
     <message>
       <source>Show where across the edge each point was measured</source>
-      <translation type="unfinished" />
+      <translation>Zeigen, wo quer zur Kante jeder Punkt gemessen wurde</translation>
     </message>
     <message>
       <source>Sigma</source>
-      <translation type="unfinished" />
+      <translation>Sigma</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge</source>
-      <translation type="unfinished" />
+      <translation>Sigma, Winkel und Verrundung entlang der Kante</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge are shown here.</source>
-      <translation type="unfinished" />
+      <translation>Hier erscheinen Sigma, Winkel und Verrundung entlang der Kante.</translation>
     </message>
     <message>
       <source>Simulated cloud</source>
@@ -1225,7 +1226,7 @@ the edge …</source>
     </message>
     <message>
       <source>Steering</source>
-      <translation type="unfinished" />
+      <translation>Lenkung</translation>
     </message>
     <message>
       <source>Step {number} of 3</source>
@@ -1233,11 +1234,11 @@ the edge …</source>
     </message>
     <message>
       <source>Stop here</source>
-      <translation type="unfinished" />
+      <translation>Hier anhalten</translation>
     </message>
     <message>
       <source>Stopped before there was enough of the edge to keep.</source>
-      <translation type="unfinished" />
+      <translation>Angehalten, bevor genug von der Kante da war, um sie zu behalten.</translation>
     </message>
     <message>
       <source>Stopping…</source>
@@ -1249,7 +1250,7 @@ the edge …</source>
     </message>
     <message>
       <source>Tangent</source>
-      <translation type="unfinished" />
+      <translation>Tangente</translation>
     </message>
     <message>
       <source>That is an edge: a native curve in the tree. Its properties say how exact it is and why it ends. Scan the other rim, too; Cross-section then finds the pipe's profile between them. With your own scan, begin with Import cloud.</source>
@@ -1265,7 +1266,7 @@ the edge …</source>
     </message>
     <message>
       <source>That is {label}, no point cloud. Click on a cloud, near an edge.</source>
-      <translation type="unfinished" />
+      <translation>Das ist {label}, keine Punktwolke. Auf eine Punktwolke klicken, nahe einer Kante.</translation>
     </message>
     <message>
       <source>The boundary is closed.</source>
@@ -1273,15 +1274,15 @@ the edge …</source>
     </message>
     <message>
       <source>The calculation broke off ({kind}: {error}).</source>
-      <translation type="unfinished" />
+      <translation>Die Berechnung brach ab ({kind}: {error}).</translation>
     </message>
     <message>
       <source>The cloud has changed. Click near an edge again.</source>
-      <translation type="unfinished" />
+      <translation>Die Punktwolke hat sich geändert. Erneut nahe einer Kante klicken.</translation>
     </message>
     <message>
       <source>The cloud is being prepared; your click will be answered.</source>
-      <translation type="unfinished" />
+      <translation>Die Punktwolke wird vorbereitet; der Klick wird danach beantwortet.</translation>
     </message>
     <message>
       <source>The cloud was deleted.</source>
@@ -1289,11 +1290,11 @@ the edge …</source>
     </message>
     <message>
       <source>The cloud was deleted. Click on another one, near an edge.</source>
-      <translation type="unfinished" />
+      <translation>Die Punktwolke wurde gelöscht. Auf eine andere klicken, nahe einer Kante.</translation>
     </message>
     <message>
       <source>The edge is being followed.</source>
-      <translation type="unfinished" />
+      <translation>Die Kante wird verfolgt.</translation>
     </message>
     <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
@@ -1301,11 +1302,11 @@ the edge …</source>
     </message>
     <message>
       <source>The section across the edge is shown here.</source>
-      <translation type="unfinished" />
+      <translation>Hier erscheint der Schnitt quer zur Kante.</translation>
     </message>
     <message>
       <source>There is no point of a visible cloud there. Click on one, near an edge.</source>
-      <translation type="unfinished" />
+      <translation>Dort ist kein Punkt einer sichtbaren Punktwolke. Auf eine klicken, nahe einer Kante.</translation>
     </message>
     <message>
       <source>There is no point of a visible cloud under the cursor.</source>
@@ -1337,11 +1338,11 @@ the edge …</source>
     </message>
     <message>
       <source>Tick a parameter to set it yourself.</source>
-      <translation type="unfinished" />
+      <translation>Einen Parameter ankreuzen, um ihn selbst zu setzen.</translation>
     </message>
     <message>
       <source>Tolerance</source>
-      <translation type="unfinished" />
+      <translation>Toleranz</translation>
     </message>
     <message>
       <source>Try it</source>
@@ -1349,15 +1350,15 @@ the edge …</source>
     </message>
     <message>
       <source>Turn the view so that the section is seen as it is drawn</source>
-      <translation type="unfinished" />
+      <translation>Die Ansicht so drehen, dass der Schnitt wie gezeichnet zu sehen ist</translation>
     </message>
     <message>
       <source>Two clicks: edge and gate</source>
-      <translation type="unfinished" />
+      <translation>Zwei Klicks: Kante und Ziel</translation>
     </message>
     <message>
       <source>View</source>
-      <translation type="unfinished" />
+      <translation>Ansicht</translation>
     </message>
     <message>
       <source>Web page</source>
@@ -1365,55 +1366,55 @@ the edge …</source>
     </message>
     <message>
       <source>What your clicks stand for</source>
-      <translation type="unfinished" />
+      <translation>Was die Klicks bedeuten</translation>
     </message>
     <message>
       <source>Wheel: zoom. Drag: move. Double click: show all. Arrows: along</source>
-      <translation type="unfinished" />
+      <translation>Rad: zoomen. Ziehen: verschieben. Doppelklick: alles zeigen. Pfeiltasten: entlang der Kante</translation>
     </message>
     <message>
       <source>Where the measuring machine begins to move slowly</source>
-      <translation type="unfinished" />
+      <translation>Wo die Messmaschine beginnt, langsam zu fahren</translation>
     </message>
     <message>
       <source>along +x</source>
-      <translation type="unfinished" />
+      <translation>entlang +x</translation>
     </message>
     <message>
       <source>along +y</source>
-      <translation type="unfinished" />
+      <translation>entlang +y</translation>
     </message>
     <message>
       <source>along -x</source>
-      <translation type="unfinished" />
+      <translation>entlang -x</translation>
     </message>
     <message>
       <source>along -y</source>
-      <translation type="unfinished" />
+      <translation>entlang -y</translation>
     </message>
     <message>
       <source>along the edge</source>
-      <translation type="unfinished" />
+      <translation>entlang der Kante</translation>
     </message>
     <message>
       <source>angle {angle}</source>
-      <translation type="unfinished" />
+      <translation>Winkel {angle}</translation>
     </message>
     <message>
       <source>bridges a gap in the cloud</source>
-      <translation type="unfinished" />
+      <translation>überbrückt eine Lücke der Punktwolke</translation>
     </message>
     <message>
       <source>chosen with the first click</source>
-      <translation type="unfinished" />
+      <translation>wird mit dem ersten Klick gewählt</translation>
     </message>
     <message>
       <source>curvature</source>
-      <translation type="unfinished" />
+      <translation>Krümmung</translation>
     </message>
     <message>
       <source>curve</source>
-      <translation type="unfinished" />
+      <translation>Kurve</translation>
     </message>
     <message>
       <source>deviation, {unit}</source>
@@ -1421,31 +1422,31 @@ the edge …</source>
     </message>
     <message>
       <source>down, -z</source>
-      <translation type="unfinished" />
+      <translation>nach unten, -z</translation>
     </message>
     <message>
       <source>fitted sides</source>
-      <translation type="unfinished" />
+      <translation>angepasste Seiten</translation>
     </message>
     <message>
       <source>interpolation</source>
-      <translation type="unfinished" />
+      <translation>Interpolation</translation>
     </message>
     <message>
       <source>intersection</source>
-      <translation type="unfinished" />
+      <translation>Schnittpunkt</translation>
     </message>
     <message>
       <source>intersection, as printed</source>
-      <translation type="unfinished" />
+      <translation>Schnittpunkt, wie gedruckt</translation>
     </message>
     <message>
       <source>left out</source>
-      <translation type="unfinished" />
+      <translation>ausgelassen</translation>
     </message>
     <message>
       <source>no rounding measurable</source>
-      <translation type="unfinished" />
+      <translation>keine Verrundung messbar</translation>
     </message>
     <message>
       <source>none</source>
@@ -1453,75 +1454,75 @@ the edge …</source>
     </message>
     <message>
       <source>none measurable</source>
-      <translation type="unfinished" />
+      <translation>keine messbar</translation>
     </message>
     <message>
       <source>not used</source>
-      <translation type="unfinished" />
+      <translation>nicht verwendet</translation>
     </message>
     <message>
       <source>own</source>
-      <translation type="unfinished" />
+      <translation>eigene</translation>
     </message>
     <message>
       <source>planes</source>
-      <translation type="unfinished" />
+      <translation>Ebenen</translation>
     </message>
     <message>
       <source>point</source>
-      <translation type="unfinished" />
+      <translation>Punkt</translation>
     </message>
     <message>
       <source>points</source>
-      <translation type="unfinished" />
+      <translation>Punkte</translation>
     </message>
     <message>
       <source>polynomials</source>
-      <translation type="unfinished" />
+      <translation>Polynome</translation>
     </message>
     <message>
       <source>probe</source>
-      <translation type="unfinished" />
+      <translation>Taster</translation>
     </message>
     <message>
       <source>rounding</source>
-      <translation type="unfinished" />
+      <translation>Verrundung</translation>
     </message>
     <message>
       <source>rounding {radius} ± {sigma} {unit}</source>
-      <translation type="unfinished" />
+      <translation>Verrundung {radius} ± {sigma} {unit}</translation>
     </message>
     <message>
       <source>set by you</source>
-      <translation type="unfinished" />
+      <translation>selbst gesetzt</translation>
     </message>
     <message>
       <source>sigma {length}</source>
-      <translation type="unfinished" />
+      <translation>Sigma {length}</translation>
     </message>
     <message>
       <source>square</source>
-      <translation type="unfinished" />
+      <translation>rechtwinklig</translation>
     </message>
     <message>
       <source>surface</source>
-      <translation type="unfinished" />
+      <translation>Oberfläche</translation>
     </message>
     <message>
       <source>tangent</source>
-      <translation type="unfinished" />
+      <translation>Tangente</translation>
     </message>
     <message>
       <source>up, +z</source>
-      <translation type="unfinished" />
+      <translation>nach oben, +z</translation>
     </message>
     <message>
       <source>zigzag</source>
-      <translation type="unfinished" />
+      <translation>Zickzack</translation>
     </message>
     <message>
       <source>{across} across, {out} out</source>
-      <translation type="unfinished" />
+      <translation>{across} quer, {out} nach außen</translation>
     </message>
     <message>
       <source>{clouds} clouds and {edges} edges are selected. Select two or three objects: one cloud, the edge to cut across, and another edge if there is one.</source>
@@ -1542,7 +1543,8 @@ the edge …</source>
     <message>
       <source>{count} edge points
 {length}</source>
-      <translation type="unfinished" />
+      <translation>{count} Kantenpunkte
+{length}</translation>
     </message>
     <message>
       <source>{count} edges</source>
@@ -1586,11 +1588,11 @@ the edge …</source>
     </message>
     <message>
       <source>{number} of {count}</source>
-      <translation type="unfinished" />
+      <translation>{number} von {count}</translation>
     </message>
     <message>
       <source>{shown} of {whole} points are shown; all of them are computed with.</source>
-      <translation type="unfinished" />
+      <translation>{shown} von {whole} Punkten werden angezeigt; gerechnet wird mit allen.</translation>
     </message>
   </context>
   <context>

@@ -700,11 +700,11 @@
     </message>
     <message>
       <source>, rounding {radius}</source>
-      <translation type="unfinished" />
+      <translation>, arrondi {radius}</translation>
     </message>
     <message>
       <source>1 (line)</source>
-      <translation type="unfinished" />
+      <translation>1 (droite)</translation>
     </message>
     <message>
       <source>1 of 2: click near an edge of the face.</source>
@@ -712,11 +712,11 @@
     </message>
     <message>
       <source>1 of 3: click beside the edge, where the first scan line begins.</source>
-      <translation type="unfinished" />
+      <translation>1 sur 3 : cliquez à côté de l'arête, où commence la première ligne de palpage.</translation>
     </message>
     <message>
       <source>2 (quadratic)</source>
-      <translation type="unfinished" />
+      <translation>2 (quadratique)</translation>
     </message>
     <message>
       <source>2 of 2: click on the face, beside that edge.</source>
@@ -724,19 +724,19 @@
     </message>
     <message>
       <source>2 of 3: click across the edge, where that line leads.</source>
-      <translation type="unfinished" />
+      <translation>2 sur 3 : cliquez de l'autre côté de l'arête, où mène cette ligne.</translation>
     </message>
     <message>
       <source>3 (cubic)</source>
-      <translation type="unfinished" />
+      <translation>3 (cubique)</translation>
     </message>
     <message>
       <source>3 + 2 clicks: start and gate</source>
-      <translation type="unfinished" />
+      <translation>3 + 2 clics : départ et arrivée</translation>
     </message>
     <message>
       <source>3 of 3: click along the edge, where the walk goes.</source>
-      <translation type="unfinished" />
+      <translation>3 sur 3 : cliquez plus loin le long de l'arête, où va le parcours.</translation>
     </message>
     <message>
       <source>A cloud of a part whose edges are known exactly: to try EdgeScan, and to see what a scan with another pitch or noise would give.</source>
@@ -752,19 +752,19 @@
     </message>
     <message>
       <source>All points (patch)</source>
-      <translation type="unfinished" />
+      <translation>Tous les points (patch)</translation>
     </message>
     <message>
       <source>All points on both sides are the most accurate; line by line touches the cloud as a measuring machine touches a part</source>
-      <translation type="unfinished" />
+      <translation>Tous les points des deux côtés sont le plus exact ; ligne par ligne palpe le nuage comme une machine à mesurer palpe une pièce</translation>
     </message>
     <message>
       <source>All {whole} points are shown.</source>
-      <translation type="unfinished" />
+      <translation>Tous les {whole} points sont affichés.</translation>
     </message>
     <message>
       <source>Amplitude</source>
-      <translation type="unfinished" />
+      <translation>Amplitude</translation>
     </message>
     <message>
       <source>Angle</source>
@@ -772,11 +772,11 @@
     </message>
     <message>
       <source>Approach</source>
-      <translation type="unfinished" />
+      <translation>Approche</translation>
     </message>
     <message>
       <source>Blue: well known. Yellow: the least known points of this edge</source>
-      <translation type="unfinished" />
+      <translation>Bleu : bien connus. Jaune : les points les moins bien connus de cette arête</translation>
     </message>
     <message>
       <source>Bring a 3D view to the front, then start again.</source>
@@ -788,15 +788,15 @@
     </message>
     <message>
       <source>Change what you like; OK keeps it. A click on the cloud scans another edge.</source>
-      <translation type="unfinished" />
+      <translation>Changez ce que vous voulez ; OK le garde. Un clic sur le nuage palpe une autre arête.</translation>
     </message>
     <message>
       <source>Chord height</source>
-      <translation type="unfinished" />
+      <translation>Flèche</translation>
     </message>
     <message>
       <source>Click near the edge where the scan is to end. OK keeps all of it.</source>
-      <translation type="unfinished" />
+      <translation>Cliquez près de l'arête, où le palpage doit finir. OK la garde en entier.</translation>
     </message>
     <message>
       <source>Click on the cloud near a rim of the pipe: the edge is followed both ways until it ends. Then OK keeps it; Undo takes it away again.</source>
@@ -808,15 +808,15 @@
     </message>
     <message>
       <source>Click on the cloud, near the edge you want, where the scan begins.</source>
-      <translation type="unfinished" />
+      <translation>Cliquez sur le nuage, près de l'arête voulue, où le palpage commence.</translation>
     </message>
     <message>
       <source>Click on the cloud, near the edge you want.</source>
-      <translation type="unfinished" />
+      <translation>Cliquez sur le nuage, près de l'arête voulue.</translation>
     </message>
     <message>
       <source>Click to see the section there. Arrows: along the edge</source>
-      <translation type="unfinished" />
+      <translation>Un clic montre la section à cet endroit. Flèches : le long de l'arête</translation>
     </message>
     <message>
       <source>Close the guide</source>
@@ -832,7 +832,7 @@
     </message>
     <message>
       <source>Colour by sigma</source>
-      <translation type="unfinished" />
+      <translation>Colorer selon sigma</translation>
     </message>
     <message>
       <source>Compensate cloud</source>
@@ -840,7 +840,7 @@
     </message>
     <message>
       <source>Compensation</source>
-      <translation type="unfinished" />
+      <translation>Compensation</translation>
     </message>
     <message>
       <source>Computing. Cancel gives it up.</source>
@@ -856,39 +856,39 @@
     </message>
     <message>
       <source>Cross-section of the edge</source>
-      <translation type="unfinished" />
+      <translation>Section transversale de l'arête</translation>
     </message>
     <message>
       <source>Degree</source>
-      <translation type="unfinished" />
+      <translation>Degré</translation>
     </message>
     <message>
       <source>Degree of a line section</source>
-      <translation type="unfinished" />
+      <translation>Degré d'une section de ligne</translation>
     </message>
     <message>
       <source>Direction the probe came along; the air lies against it</source>
-      <translation type="unfinished" />
+      <translation>Direction d'arrivée du palpeur ; l'air est du côté opposé</translation>
     </message>
     <message>
       <source>Distance of the cloud's points, which tells a gap from surface</source>
-      <translation type="unfinished" />
+      <translation>Distance entre les points du nuage, qui distingue un trou de la surface</translation>
     </message>
     <message>
       <source>Distance of the edge points</source>
-      <translation type="unfinished" />
+      <translation>Distance entre les points de l'arête</translation>
     </message>
     <message>
       <source>Distance of the points on a scan line</source>
-      <translation type="unfinished" />
+      <translation>Distance entre les points d'une ligne de palpage</translation>
     </message>
     <message>
       <source>Edge pitch</source>
-      <translation type="unfinished" />
+      <translation>Pas d'arête</translation>
     </message>
     <message>
       <source>Edge point</source>
-      <translation type="unfinished" />
+      <translation>Point d'arête</translation>
     </message>
     <message>
       <source>Edge points with sigma</source>
@@ -908,15 +908,15 @@
     </message>
     <message>
       <source>Edit scanned edge</source>
-      <translation type="unfinished" />
+      <translation>Modifier l'arête palpée</translation>
     </message>
     <message>
       <source>Edit the scan</source>
-      <translation type="unfinished" />
+      <translation>Modifier le palpage</translation>
     </message>
     <message>
       <source>End the scan and keep the edge as far as it is known</source>
-      <translation type="unfinished" />
+      <translation>Finir le palpage et garder l'arête telle qu'elle est connue jusqu'ici</translation>
     </message>
     <message>
       <source>Error to expect</source>
@@ -932,23 +932,23 @@
     </message>
     <message>
       <source>Gate, 1 of 2: click beside the edge on the same side. OK needs no gate.</source>
-      <translation type="unfinished" />
+      <translation>Arrivée, 1 sur 2 : cliquez à côté de l'arête, du même côté. OK se passe d'arrivée.</translation>
     </message>
     <message>
       <source>Gate, 2 of 2: click across the edge.</source>
-      <translation type="unfinished" />
+      <translation>Arrivée, 2 sur 2 : cliquez de l'autre côté de l'arête.</translation>
     </message>
     <message>
       <source>Go along the edge</source>
-      <translation type="unfinished" />
+      <translation>Parcourir l'arête</translation>
     </message>
     <message>
       <source>Hide the points before and behind the section that is looked at</source>
-      <translation type="unfinished" />
+      <translation>Masquer les points devant et derrière la section regardée</translation>
     </message>
     <message>
       <source>Hold Ctrl for clicks.</source>
-      <translation type="unfinished" />
+      <translation>Maintenez Ctrl en cliquant.</translation>
     </message>
     <message>
       <source>Hold Ctrl while clicking.</source>
@@ -956,23 +956,23 @@
     </message>
     <message>
       <source>How far the measuring machine goes on looking for the surface</source>
-      <translation type="unfinished" />
+      <translation>Jusqu'où la machine à mesurer continue à chercher la surface</translation>
     </message>
     <message>
       <source>How the direction of the edge is found</source>
-      <translation type="unfinished" />
+      <translation>Comment la direction de l'arête est trouvée</translation>
     </message>
     <message>
       <source>How the next scan line is placed</source>
-      <translation type="unfinished" />
+      <translation>Comment la ligne de palpage suivante est placée</translation>
     </message>
     <message>
       <source>How the probe radius is taken off</source>
-      <translation type="unfinished" />
+      <translation>Comment le rayon du palpeur est retiré</translation>
     </message>
     <message>
       <source>How the scan lines follow each other</source>
-      <translation type="unfinished" />
+      <translation>Comment se suivent les lignes de palpage</translation>
     </message>
     <message>
       <source>Import cloud</source>
@@ -984,11 +984,11 @@
     </message>
     <message>
       <source>Kept as far as it was scanned: a gate ends it there now.</source>
-      <translation type="unfinished" />
+      <translation>Gardée jusqu'où elle a été palpée : une arrivée y termine désormais l'arête.</translation>
     </message>
     <message>
       <source>Largest deviation of the chord between two edge points from the edge</source>
-      <translation type="unfinished" />
+      <translation>Plus grand écart entre l'arête et la corde joignant deux de ses points</translation>
     </message>
     <message>
       <source>Length</source>
@@ -996,28 +996,29 @@
     </message>
     <message>
       <source>Length of a scan line along the surface, half of it on each side</source>
-      <translation type="unfinished" />
+      <translation>Longueur d'une ligne de palpage le long de la surface, moitié de chaque côté</translation>
     </message>
     <message>
       <source>Line by line (probe)</source>
-      <translation type="unfinished" />
+      <translation>Ligne par ligne (probe)</translation>
     </message>
     <message>
       <source>Line pitch</source>
-      <translation type="unfinished" />
+      <translation>Pas de ligne</translation>
     </message>
     <message>
       <source>Look along the edge</source>
-      <translation type="unfinished" />
+      <translation>Regarder le long de l'arête</translation>
     </message>
     <message>
       <source>Looking for
 the edge …</source>
-      <translation type="unfinished" />
+      <translation>Recherche de
+l'arête …</translation>
     </message>
     <message>
       <source>Make every parameter automatic again</source>
-      <translation type="unfinished" />
+      <translation>Rendre tous les paramètres automatiques</translation>
     </message>
     <message>
       <source>Mean sigma</source>
@@ -1033,7 +1034,7 @@ the edge …</source>
     </message>
     <message>
       <source>No point cloud can be seen. Show one in the tree, then click on it.</source>
-      <translation type="unfinished" />
+      <translation>Aucun nuage de points n'est visible. Affichez-en un dans l'arborescence, puis cliquez dessus.</translation>
     </message>
     <message>
       <source>Noise level</source>
@@ -1045,7 +1046,7 @@ the edge …</source>
     </message>
     <message>
       <source>OK keeps this edge. Click elsewhere to scan another one instead.</source>
-      <translation type="unfinished" />
+      <translation>OK garde cette arête. Cliquez ailleurs pour en palper une autre à la place.</translation>
     </message>
     <message>
       <source>OK keeps this. Click elsewhere to begin again.</source>
@@ -1057,15 +1058,15 @@ the edge …</source>
     </message>
     <message>
       <source>Of the cloud's points, in pixels; own: as elsewhere</source>
-      <translation type="unfinished" />
+      <translation>Des points du nuage, en pixels ; propre : comme ailleurs</translation>
     </message>
     <message>
       <source>On average: sigma {sigma}, angle {angle}</source>
-      <translation type="unfinished" />
+      <translation>En moyenne : sigma {sigma}, angle {angle}</translation>
     </message>
     <message>
       <source>One click: the whole edge</source>
-      <translation type="unfinished" />
+      <translation>Un clic : toute l'arête</translation>
     </message>
     <message>
       <source>One point for each pitch² of surface.</source>
@@ -1077,11 +1078,11 @@ the edge …</source>
     </message>
     <message>
       <source>Only points at the section</source>
-      <translation type="unfinished" />
+      <translation>Seuls les points de la section</translation>
     </message>
     <message>
       <source>Open a 3D view of this document first.</source>
-      <translation type="unfinished" />
+      <translation>Ouvrez d'abord une vue 3D de ce document.</translation>
     </message>
     <message>
       <source>Open a document first, or import a cloud.</source>
@@ -1093,11 +1094,11 @@ the edge …</source>
     </message>
     <message>
       <source>Parameters</source>
-      <translation type="unfinished" />
+      <translation>Paramètres</translation>
     </message>
     <message>
       <source>Pattern</source>
-      <translation type="unfinished" />
+      <translation>Motif</translation>
     </message>
     <message>
       <source>Picture with histogram</source>
@@ -1109,11 +1110,11 @@ the edge …</source>
     </message>
     <message>
       <source>Point size</source>
-      <translation type="unfinished" />
+      <translation>Taille des points</translation>
     </message>
     <message>
       <source>Prehit distance</source>
-      <translation type="unfinished" />
+      <translation>Distance d'approche</translation>
     </message>
     <message>
       <source>Probe &amp;radius:</source>
@@ -1121,7 +1122,7 @@ the edge …</source>
     </message>
     <message>
       <source>Probe radius</source>
-      <translation type="unfinished" />
+      <translation>Rayon du palpeur</translation>
     </message>
     <message>
       <source>Radius of a ball that rolls over the part; the points are its centres. 0: the points lie on the part.</source>
@@ -1129,7 +1130,7 @@ the edge …</source>
     </message>
     <message>
       <source>Radius of the ball whose centres the cloud holds; 0: surface points</source>
-      <translation type="unfinished" />
+      <translation>Rayon de la bille dont le nuage contient les centres ; 0 : points de la surface</translation>
     </message>
     <message>
       <source>Radius of the ball, when the file holds the centres of a probing ball; 0: the points lie on the part.</source>
@@ -1149,7 +1150,7 @@ the edge …</source>
     </message>
     <message>
       <source>Reset</source>
-      <translation type="unfinished" />
+      <translation>Réinitialiser</translation>
     </message>
     <message>
       <source>Rounding</source>
@@ -1157,7 +1158,7 @@ the edge …</source>
     </message>
     <message>
       <source>Rounding radius</source>
-      <translation type="unfinished" />
+      <translation>Rayon de l'arrondi</translation>
     </message>
     <message>
       <source>Save deviations</source>
@@ -1177,39 +1178,39 @@ the edge …</source>
     </message>
     <message>
       <source>Scan lines</source>
-      <translation type="unfinished" />
+      <translation>Lignes de palpage</translation>
     </message>
     <message>
       <source>Scanning tolerance of a line section</source>
-      <translation type="unfinished" />
+      <translation>Tolérance de palpage d'une section de ligne</translation>
     </message>
     <message>
       <source>Search distance</source>
-      <translation type="unfinished" />
+      <translation>Distance de recherche</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translation>Section</translation>
     </message>
     <message>
       <source>Show scan lines</source>
-      <translation type="unfinished" />
+      <translation>Afficher les lignes de palpage</translation>
     </message>
     <message>
       <source>Show where across the edge each point was measured</source>
-      <translation type="unfinished" />
+      <translation>Montrer où, en travers de l'arête, chaque point a été mesuré</translation>
     </message>
     <message>
       <source>Sigma</source>
-      <translation type="unfinished" />
+      <translation>Sigma</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge</source>
-      <translation type="unfinished" />
+      <translation>Sigma, angle et arrondi le long de l'arête</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge are shown here.</source>
-      <translation type="unfinished" />
+      <translation>Sigma, angle et arrondi le long de l'arête s'affichent ici.</translation>
     </message>
     <message>
       <source>Simulated cloud</source>
@@ -1225,7 +1226,7 @@ the edge …</source>
     </message>
     <message>
       <source>Steering</source>
-      <translation type="unfinished" />
+      <translation>Guidage</translation>
     </message>
     <message>
       <source>Step {number} of 3</source>
@@ -1233,11 +1234,11 @@ the edge …</source>
     </message>
     <message>
       <source>Stop here</source>
-      <translation type="unfinished" />
+      <translation>Arrêter ici</translation>
     </message>
     <message>
       <source>Stopped before there was enough of the edge to keep.</source>
-      <translation type="unfinished" />
+      <translation>Arrêté avant qu'il y ait assez de l'arête pour la garder.</translation>
     </message>
     <message>
       <source>Stopping…</source>
@@ -1249,7 +1250,7 @@ the edge …</source>
     </message>
     <message>
       <source>Tangent</source>
-      <translation type="unfinished" />
+      <translation>Tangente</translation>
     </message>
     <message>
       <source>That is an edge: a native curve in the tree. Its properties say how exact it is and why it ends. Scan the other rim, too; Cross-section then finds the pipe's profile between them. With your own scan, begin with Import cloud.</source>
@@ -1265,7 +1266,7 @@ the edge …</source>
     </message>
     <message>
       <source>That is {label}, no point cloud. Click on a cloud, near an edge.</source>
-      <translation type="unfinished" />
+      <translation>C'est {label}, pas un nuage de points. Cliquez sur un nuage, près d'une arête.</translation>
     </message>
     <message>
       <source>The boundary is closed.</source>
@@ -1273,15 +1274,15 @@ the edge …</source>
     </message>
     <message>
       <source>The calculation broke off ({kind}: {error}).</source>
-      <translation type="unfinished" />
+      <translation>Le calcul s'est interrompu ({kind} : {error}).</translation>
     </message>
     <message>
       <source>The cloud has changed. Click near an edge again.</source>
-      <translation type="unfinished" />
+      <translation>Le nuage a changé. Cliquez à nouveau près d'une arête.</translation>
     </message>
     <message>
       <source>The cloud is being prepared; your click will be answered.</source>
-      <translation type="unfinished" />
+      <translation>Le nuage est en préparation ; votre clic sera pris en compte ensuite.</translation>
     </message>
     <message>
       <source>The cloud was deleted.</source>
@@ -1289,11 +1290,11 @@ the edge …</source>
     </message>
     <message>
       <source>The cloud was deleted. Click on another one, near an edge.</source>
-      <translation type="unfinished" />
+      <translation>Le nuage a été supprimé. Cliquez sur un autre, près d'une arête.</translation>
     </message>
     <message>
       <source>The edge is being followed.</source>
-      <translation type="unfinished" />
+      <translation>L'arête est en train d'être suivie.</translation>
     </message>
     <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
@@ -1301,11 +1302,11 @@ the edge …</source>
     </message>
     <message>
       <source>The section across the edge is shown here.</source>
-      <translation type="unfinished" />
+      <translation>La section en travers de l'arête s'affiche ici.</translation>
     </message>
     <message>
       <source>There is no point of a visible cloud there. Click on one, near an edge.</source>
-      <translation type="unfinished" />
+      <translation>Il n'y a là aucun point d'un nuage visible. Cliquez sur un nuage, près d'une arête.</translation>
     </message>
     <message>
       <source>There is no point of a visible cloud under the cursor.</source>
@@ -1337,11 +1338,11 @@ the edge …</source>
     </message>
     <message>
       <source>Tick a parameter to set it yourself.</source>
-      <translation type="unfinished" />
+      <translation>Cochez un paramètre pour le fixer vous-même.</translation>
     </message>
     <message>
       <source>Tolerance</source>
-      <translation type="unfinished" />
+      <translation>Tolérance</translation>
     </message>
     <message>
       <source>Try it</source>
@@ -1349,15 +1350,15 @@ the edge …</source>
     </message>
     <message>
       <source>Turn the view so that the section is seen as it is drawn</source>
-      <translation type="unfinished" />
+      <translation>Tourner la vue pour voir la section comme elle est dessinée</translation>
     </message>
     <message>
       <source>Two clicks: edge and gate</source>
-      <translation type="unfinished" />
+      <translation>Deux clics : arête et arrivée</translation>
     </message>
     <message>
       <source>View</source>
-      <translation type="unfinished" />
+      <translation>Vue</translation>
     </message>
     <message>
       <source>Web page</source>
@@ -1365,55 +1366,55 @@ the edge …</source>
     </message>
     <message>
       <source>What your clicks stand for</source>
-      <translation type="unfinished" />
+      <translation>Ce que signifient vos clics</translation>
     </message>
     <message>
       <source>Wheel: zoom. Drag: move. Double click: show all. Arrows: along</source>
-      <translation type="unfinished" />
+      <translation>Molette : zoom. Glisser : déplacer. Double clic : tout voir. Flèches : le long de l'arête</translation>
     </message>
     <message>
       <source>Where the measuring machine begins to move slowly</source>
-      <translation type="unfinished" />
+      <translation>Où la machine à mesurer commence à avancer lentement</translation>
     </message>
     <message>
       <source>along +x</source>
-      <translation type="unfinished" />
+      <translation>selon +x</translation>
     </message>
     <message>
       <source>along +y</source>
-      <translation type="unfinished" />
+      <translation>selon +y</translation>
     </message>
     <message>
       <source>along -x</source>
-      <translation type="unfinished" />
+      <translation>selon -x</translation>
     </message>
     <message>
       <source>along -y</source>
-      <translation type="unfinished" />
+      <translation>selon -y</translation>
     </message>
     <message>
       <source>along the edge</source>
-      <translation type="unfinished" />
+      <translation>le long de l'arête</translation>
     </message>
     <message>
       <source>angle {angle}</source>
-      <translation type="unfinished" />
+      <translation>angle {angle}</translation>
     </message>
     <message>
       <source>bridges a gap in the cloud</source>
-      <translation type="unfinished" />
+      <translation>franchit un trou du nuage</translation>
     </message>
     <message>
       <source>chosen with the first click</source>
-      <translation type="unfinished" />
+      <translation>choisi au premier clic</translation>
     </message>
     <message>
       <source>curvature</source>
-      <translation type="unfinished" />
+      <translation>courbure</translation>
     </message>
     <message>
       <source>curve</source>
-      <translation type="unfinished" />
+      <translation>courbe</translation>
     </message>
     <message>
       <source>deviation, {unit}</source>
@@ -1421,31 +1422,31 @@ the edge …</source>
     </message>
     <message>
       <source>down, -z</source>
-      <translation type="unfinished" />
+      <translation>vers le bas, -z</translation>
     </message>
     <message>
       <source>fitted sides</source>
-      <translation type="unfinished" />
+      <translation>côtés ajustés</translation>
     </message>
     <message>
       <source>interpolation</source>
-      <translation type="unfinished" />
+      <translation>interpolation</translation>
     </message>
     <message>
       <source>intersection</source>
-      <translation type="unfinished" />
+      <translation>intersection</translation>
     </message>
     <message>
       <source>intersection, as printed</source>
-      <translation type="unfinished" />
+      <translation>intersection, telle qu'imprimée</translation>
     </message>
     <message>
       <source>left out</source>
-      <translation type="unfinished" />
+      <translation>écartés</translation>
     </message>
     <message>
       <source>no rounding measurable</source>
-      <translation type="unfinished" />
+      <translation>aucun arrondi mesurable</translation>
     </message>
     <message>
       <source>none</source>
@@ -1453,75 +1454,75 @@ the edge …</source>
     </message>
     <message>
       <source>none measurable</source>
-      <translation type="unfinished" />
+      <translation>aucun mesurable</translation>
     </message>
     <message>
       <source>not used</source>
-      <translation type="unfinished" />
+      <translation>non utilisé</translation>
     </message>
     <message>
       <source>own</source>
-      <translation type="unfinished" />
+      <translation>propre</translation>
     </message>
     <message>
       <source>planes</source>
-      <translation type="unfinished" />
+      <translation>plans</translation>
     </message>
     <message>
       <source>point</source>
-      <translation type="unfinished" />
+      <translation>point</translation>
     </message>
     <message>
       <source>points</source>
-      <translation type="unfinished" />
+      <translation>points</translation>
     </message>
     <message>
       <source>polynomials</source>
-      <translation type="unfinished" />
+      <translation>polynômes</translation>
     </message>
     <message>
       <source>probe</source>
-      <translation type="unfinished" />
+      <translation>palpeur</translation>
     </message>
     <message>
       <source>rounding</source>
-      <translation type="unfinished" />
+      <translation>arrondi</translation>
     </message>
     <message>
       <source>rounding {radius} ± {sigma} {unit}</source>
-      <translation type="unfinished" />
+      <translation>arrondi {radius} ± {sigma} {unit}</translation>
     </message>
     <message>
       <source>set by you</source>
-      <translation type="unfinished" />
+      <translation>fixé par vous</translation>
     </message>
     <message>
       <source>sigma {length}</source>
-      <translation type="unfinished" />
+      <translation>sigma {length}</translation>
     </message>
     <message>
       <source>square</source>
-      <translation type="unfinished" />
+      <translation>créneaux</translation>
     </message>
     <message>
       <source>surface</source>
-      <translation type="unfinished" />
+      <translation>surface</translation>
     </message>
     <message>
       <source>tangent</source>
-      <translation type="unfinished" />
+      <translation>tangente</translation>
     </message>
     <message>
       <source>up, +z</source>
-      <translation type="unfinished" />
+      <translation>vers le haut, +z</translation>
     </message>
     <message>
       <source>zigzag</source>
-      <translation type="unfinished" />
+      <translation>zigzag</translation>
     </message>
     <message>
       <source>{across} across, {out} out</source>
-      <translation type="unfinished" />
+      <translation>{across} en travers, {out} vers l'extérieur</translation>
     </message>
     <message>
       <source>{clouds} clouds and {edges} edges are selected. Select two or three objects: one cloud, the edge to cut across, and another edge if there is one.</source>
@@ -1542,7 +1543,8 @@ the edge …</source>
     <message>
       <source>{count} edge points
 {length}</source>
-      <translation type="unfinished" />
+      <translation>{count} points d'arête
+{length}</translation>
     </message>
     <message>
       <source>{count} edges</source>
@@ -1586,11 +1588,11 @@ the edge …</source>
     </message>
     <message>
       <source>{number} of {count}</source>
-      <translation type="unfinished" />
+      <translation>{number} sur {count}</translation>
     </message>
     <message>
       <source>{shown} of {whole} points are shown; all of them are computed with.</source>
-      <translation type="unfinished" />
+      <translation>{shown} points sur {whole} sont affichés ; le calcul les prend tous.</translation>
     </message>
   </context>
   <context>
