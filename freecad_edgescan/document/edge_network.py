@@ -16,13 +16,13 @@ from ..scanning import EdgeNetwork, Progress, find_edges
 from ..scanning.automatic import MIN_ANGLE
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
-from .computed_object import MESSAGE, ORIGIN, ComputedProxy, result
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .linked_geometry import require_cloud
 from .native_curve import vector
 from .network_shape import network_shape
 
-__all__ = ["EdgeNetworkProxy", "find_again", "make_edge_network", "write_network"]
+__all__ = ["EdgeNetworkProxy", "make_edge_network"]
 
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Network", "The cloud whose edges are sought"),
@@ -95,45 +95,31 @@ class EdgeNetworkProxy(ComputedProxy):
         yield cloud_checksum(obj.Cloud)
         yield from (obj.MinAngle.Value, obj.MinLength.Value, obj.MaxSigma.Value)
 
-    def compute(self, obj: Any) -> None:
-        """Find the edges and write them."""
-        write_network(obj, find_again(obj))
+    def task(self, obj: Any) -> Task:
+        """What finds the edges."""
+        cloud, angle = point_cloud(obj.Cloud), float(np.radians(obj.MinAngle.Value))
+        shortest, worst = obj.MinLength.Value or None, obj.MaxSigma.Value
 
+        def find(progress: Progress | None) -> EdgeNetwork:
+            network = find_edges(cloud, angle, shortest, progress)
+            network = network.filtered(max_sigma=worst) if worst else network
+            if not len(network):
+                raise ValueError(network.message)
+            return network
 
-def find_again(obj: Any, progress: Progress | None = None) -> EdgeNetwork:
-    """Find the edges with an object's present inputs; the object stays as it is.
+        return find
 
-    Raises
-    ------
-    ValueError: they cannot be looked for; the text says why.
-    """
-    network = find_edges(
-        point_cloud(obj.Cloud),
-        float(np.radians(obj.MinAngle.Value)),
-        obj.MinLength.Value or None,
-        progress,
-    )
-    return network.filtered(max_sigma=obj.MaxSigma.Value) if obj.MaxSigma.Value else network
-
-
-def write_network(obj: Any, network: EdgeNetwork) -> None:
-    """Write a network into its object.
-
-    Raises
-    ------
-    ValueError: there is no edge.
-    """
-    if not len(network):
-        raise ValueError(network.message)
-    shape = network_shape(network)
-    shape.Placement = obj.Placement.multiply(shape.Placement)
-    obj.Shape = shape
-    obj.EdgeCount, obj.CornerCount = len(network), len(network.corners)
-    obj.TotalLength = network.length
-    obj.Corners = [vector(corner) for corner in network.corners]
-    obj.Misclosures = network.corner_misclosure.tolist()
-    obj.Sigmas = [float(np.median(edge.sigma)) for edge in network.edges]
-    obj.Angles = [float(np.degrees(np.median(edge.angle))) for edge in network.edges]
-    obj.Ends = [f"{start} to {end}" for start, end in network.ends]
-    obj.Message = network.message
-    obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+    def write(self, obj: Any, result: EdgeNetwork) -> None:
+        """Write the edges and their corners."""
+        shape = network_shape(result)
+        shape.Placement = obj.Placement.multiply(shape.Placement)
+        obj.Shape = shape
+        obj.EdgeCount, obj.CornerCount = len(result), len(result.corners)
+        obj.TotalLength = result.length
+        obj.Corners = [vector(corner) for corner in result.corners]
+        obj.Misclosures = result.corner_misclosure.tolist()
+        obj.Sigmas = [float(np.median(edge.sigma)) for edge in result.edges]
+        obj.Angles = [float(np.degrees(np.median(edge.angle))) for edge in result.edges]
+        obj.Ends = [f"{start} to {end}" for start, end in result.ends]
+        obj.Message = result.message
+        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
