@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from freecad_edgescan.geometry import BSplineSurface as BSplineSurface
     from freecad_edgescan.scanning import AnalyticCmm as AnalyticCmm
     from freecad_edgescan.scanning import Cmm as Cmm
+    from freecad_edgescan.scanning import EdgeNetwork as EdgeNetwork
     from freecad_edgescan.scanning import Gate as Gate
     from freecad_edgescan.scanning import PointCloudCmm as PointCloudCmm
     from freecad_edgescan.scanning import Progress as Progress
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from freecad_edgescan.scanning import Section as Section
     from freecad_edgescan.scanning import Start as Start
     from freecad_edgescan.scanning import Stop as Stop
+    from freecad_edgescan.scanning import find_edges as find_edges
     from freecad_edgescan.scanning import recommend_parameters as recommend_parameters
     from freecad_edgescan.scanning import scan_boundary as scan_boundary
     from freecad_edgescan.scanning import scan_edge as scan_edge
@@ -73,6 +75,8 @@ _HOME_OF = {
     # scanning
     "scan_edge": "scanning",
     "scan_boundary": "scanning",
+    "find_edges": "scanning",
+    "EdgeNetwork": "scanning",
     "recommend_parameters": "scanning",
     "ScanParameters": "scanning",
     "Start": "scanning",

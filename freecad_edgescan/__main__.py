@@ -69,6 +69,12 @@ def _scan(options: argparse.Namespace) -> int:
     return scan_file(options)
 
 
+def _find(options: argparse.Namespace) -> int:
+    from freecad_edgescan.find_command import find_in_file
+
+    return find_in_file(options)
+
+
 def _recommend(options: argparse.Namespace) -> int:
     from freecad_edgescan.recommend_command import recommend_for_file
 
@@ -106,6 +112,12 @@ def _info(options: argparse.Namespace) -> int:
 
 
 def _bench(options: argparse.Namespace) -> int:
+    if options.parts is not None:
+        from freecad_edgescan.bench_command import bench_parts
+
+        return bench_parts(options)
+    if options.fillet or options.peers:
+        raise ValueError("--fillet and --peers belong to --parts; give it, or leave them out.")
     from freecad_edgescan.experiments import measure_speed
 
     with TerminalProgress("bench") as progress:
@@ -184,6 +196,7 @@ def _surfaces(options: argparse.Namespace) -> int:
 
 COMMANDS: dict[str, Callable[[argparse.Namespace], int]] = {
     "scan": _scan,
+    "find": _find,
     "recommend": _recommend,
     "info": _info,
     "bench": _bench,

@@ -27,6 +27,14 @@ SCAN_EXAMPLES = """examples:
                          --gate 80,-5,0 --gate-across 0,1,0 --amplitude 10
 """
 
+FIND_TEXT = """Prints one row for each edge: where it starts and ends (a corner, or why not),
+its mean standard deviation, the turn between its sides, and the radius of its rounding.
+
+examples:
+  edgescan find part.ply -o edges.step --csv edges.csv --picture net.png
+  edgescan find part.ply --min-angle 30 --low 0,0,0 --high 50,50,20
+"""
+
 ACCURACY_TEXT = """Simulates a scan of each part, clicks every sharp edge at its middle, and
 compares what is found with the part's own edges. Without --parts also two planes, the same
 under a fillet, and a cylinder's rim (pitch 0.5, noise 0.02, edge points 0.75 mm apart), with
@@ -131,6 +139,28 @@ def _parser() -> argparse.ArgumentParser:
         help="the section of the first edge where it was clicked, drawn",
     )  # fmt: skip
 
+    find = _add_command(commands, "find", "find all edges of a cloud, without a click", FIND_TEXT)
+    _add_file(find)
+    find.add_argument(
+        "--min-angle", type=_number, default=15.0, metavar="DEG",
+        help="least turn between the two sides (default: 15)",
+    )  # fmt: skip
+    find.add_argument(
+        "--min-length", type=_number, metavar="MM",
+        help="of an edge (default: eight times the cloud's pitch)",
+    )  # fmt: skip
+    find.add_argument("--low", type=_vector, metavar="X,Y,Z", help="lowest corner of a box ...")
+    find.add_argument("--high", type=_vector, metavar="X,Y,Z", help="... in which to look only")
+    find.add_argument(
+        "-o", "--output", type=Path, metavar="FILE.step", help="edges for CAD (needs FreeCAD)"
+    )
+    find.add_argument("--csv", type=Path, metavar="FILE.csv", help="all edge points with sigma")
+    find.add_argument("--picture", type=Path, metavar="FILE.png", help="cloud and edges, drawn")
+    find.add_argument(
+        "--view", type=_vector, metavar="DX,DY,DZ",
+        help="direction from the part to the viewer of the picture",
+    )  # fmt: skip
+
     sweep = _add_command(
         commands,
         "sweep",
@@ -188,6 +218,22 @@ def _parser() -> argparse.ArgumentParser:
     bench = _add_command(commands, "bench", "how fast this machine is")
     bench.add_argument(
         "--points", type=_whole_number, default=1_000_000, metavar="N", help="cloud size"
+    )
+
+    bench.add_argument(
+        "--parts", nargs="*", type=Path, metavar="FILE",
+        help="instead: find all edges in simulated scans of these parts (.step .iges .brep; "
+        "none: a block with a blind bore), and compare them with the parts' own",
+    )  # fmt: skip
+    bench.add_argument(
+        "--fillet", nargs="+", type=_number, default=[], metavar="PITCHES",
+        help="of --parts, with their straight convex edges rounded; radii in pitches of the scan",
+    )  # fmt: skip
+    bench.add_argument(
+        "--peers", action="store_true", help="of --parts, beside what surface variation labels"
+    )
+    bench.add_argument(
+        "--seed", type=_whole_number, default=0, metavar="N", help="of the random numbers"
     )
 
     accuracy = _add_command(

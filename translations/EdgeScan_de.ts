@@ -164,6 +164,10 @@
       <translation>Kanten, an denen Flächen enden, wo keine andere ist</translation>
     </message>
     <message>
+      <source>Edges known worse than that are left out; 0: none</source>
+      <translation>Kanten, die ungenauer bekannt sind, werden weggelassen; 0: keine</translation>
+    </message>
+    <message>
       <source>False where a gap in the cloud is bridged</source>
       <translation>Falsch, wo eine Lücke der Punktwolke überbrückt ist</translation>
     </message>
@@ -200,6 +204,10 @@
       <translation>Wie weit der Schnitt von der Leitkurve reicht; 0: automatisch</translation>
     </message>
     <message>
+      <source>How far the edges' own vertices are from each corner, mm</source>
+      <translation>Wie weit die eigenen Endpunkte der Kanten von jeder Ecke entfernt sind, mm</translation>
+    </message>
+    <message>
       <source>How the probe radius was taken off each edge point</source>
       <translation>Wie der Tasterradius von jedem Kantenpunkt abgezogen wurde</translation>
     </message>
@@ -234,6 +242,10 @@
     <message>
       <source>Largest standard deviation of an edge point</source>
       <translation>Größte Standardabweichung eines Kantenpunkts</translation>
+    </message>
+    <message>
+      <source>Least turn between the two sides of an edge</source>
+      <translation>Kleinster Knick zwischen den beiden Seiten einer Kante</translation>
     </message>
     <message>
       <source>Least turn between the two sides of an edge; 0: automatic</source>
@@ -288,8 +300,20 @@
       <translation>Mittlere Standardabweichung der Kantenpunkte</translation>
     </message>
     <message>
+      <source>Median angle between the two sides of each edge, degrees</source>
+      <translation>Median des Winkels zwischen den beiden Seiten jeder Kante, Grad</translation>
+    </message>
+    <message>
       <source>Median radius of the rounding; 0: none is measurable</source>
       <translation>Median des Radius der Verrundung; 0: keine ist messbar</translation>
+    </message>
+    <message>
+      <source>Median standard deviation of each edge, mm</source>
+      <translation>Median der Standardabweichung jeder Kante, mm</translation>
+    </message>
+    <message>
+      <source>Number of corners in which edges meet</source>
+      <translation>Anzahl der Ecken, in denen Kanten zusammentreffen</translation>
     </message>
     <message>
       <source>Number of curves</source>
@@ -332,8 +356,20 @@
       <translation>Anzahlen der Punkte in gleichen Schritten von -Limit bis Limit</translation>
     </message>
     <message>
+      <source>Of all edges</source>
+      <translation>Aller Kanten</translation>
+    </message>
+    <message>
       <source>Of all faces</source>
       <translation>Aller Flächen</translation>
+    </message>
+    <message>
+      <source>Of an edge; 0: eight times the cloud's pitch</source>
+      <translation>Einer Kante; 0: das Achtfache des Punktabstands</translation>
+    </message>
+    <message>
+      <source>Of each edge: the corners it ends in, or why it ends</source>
+      <translation>Jeder Kante: die Ecken, in denen sie endet, oder warum sie endet</translation>
     </message>
     <message>
       <source>Of each point</source>
@@ -516,6 +552,10 @@
       <translation>Die Punktwolke, die abgetastet wird</translation>
     </message>
     <message>
+      <source>The cloud whose edges are sought</source>
+      <translation>Die Punktwolke, deren Kanten gesucht werden</translation>
+    </message>
+    <message>
       <source>The cloud whose points are measured</source>
       <translation>Die Punktwolke, deren Punkte gemessen werden</translation>
     </message>
@@ -590,6 +630,10 @@
     <message>
       <source>What was fitted: line, arc or spline</source>
       <translation>Was angepasst wurde: Gerade, Bogen oder Spline</translation>
+    </message>
+    <message>
+      <source>Where edges meet</source>
+      <translation>Wo Kanten zusammentreffen</translation>
     </message>
     <message>
       <source>Where the scan begins: a point near the edge, or, with Across and Along, the first point of the first scan line (document coordinates)</source>

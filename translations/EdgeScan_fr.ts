@@ -164,6 +164,10 @@
       <translation>Arêtes où finissent les surfaces là où il n'y en a pas d'autre</translation>
     </message>
     <message>
+      <source>Edges known worse than that are left out; 0: none</source>
+      <translation>Les arêtes connues moins précisément sont laissées de côté ; 0 : aucune</translation>
+    </message>
+    <message>
       <source>False where a gap in the cloud is bridged</source>
       <translation>Faux là où un trou du nuage est franchi</translation>
     </message>
@@ -200,6 +204,10 @@
       <translation>Jusqu'où la section s'éloigne du rail ; 0 : automatique</translation>
     </message>
     <message>
+      <source>How far the edges' own vertices are from each corner, mm</source>
+      <translation>Distance entre chaque coin et les sommets propres des arêtes, en mm</translation>
+    </message>
+    <message>
       <source>How the probe radius was taken off each edge point</source>
       <translation>Comment le rayon du palpeur a été retiré à chaque point de l'arête</translation>
     </message>
@@ -234,6 +242,10 @@
     <message>
       <source>Largest standard deviation of an edge point</source>
       <translation>Plus grand écart-type d'un point de l'arête</translation>
+    </message>
+    <message>
+      <source>Least turn between the two sides of an edge</source>
+      <translation>Plus petit changement de direction entre les deux côtés d'une arête</translation>
     </message>
     <message>
       <source>Least turn between the two sides of an edge; 0: automatic</source>
@@ -288,8 +300,20 @@
       <translation>Écart-type moyen des points de l'arête</translation>
     </message>
     <message>
+      <source>Median angle between the two sides of each edge, degrees</source>
+      <translation>Angle médian entre les deux côtés de chaque arête, en degrés</translation>
+    </message>
+    <message>
       <source>Median radius of the rounding; 0: none is measurable</source>
       <translation>Rayon médian de l'arrondi ; 0 : aucun n'est mesurable</translation>
+    </message>
+    <message>
+      <source>Median standard deviation of each edge, mm</source>
+      <translation>Écart-type médian de chaque arête, en mm</translation>
+    </message>
+    <message>
+      <source>Number of corners in which edges meet</source>
+      <translation>Nombre de coins où des arêtes se rejoignent</translation>
     </message>
     <message>
       <source>Number of curves</source>
@@ -332,8 +356,20 @@
       <translation>Nombres de points par pas égaux de -Limit à Limit</translation>
     </message>
     <message>
+      <source>Of all edges</source>
+      <translation>De toutes les arêtes</translation>
+    </message>
+    <message>
       <source>Of all faces</source>
       <translation>De toutes les faces</translation>
+    </message>
+    <message>
+      <source>Of an edge; 0: eight times the cloud's pitch</source>
+      <translation>D'une arête ; 0 : huit fois le pas du nuage</translation>
+    </message>
+    <message>
+      <source>Of each edge: the corners it ends in, or why it ends</source>
+      <translation>De chaque arête : les coins où elle finit, ou pourquoi elle finit</translation>
     </message>
     <message>
       <source>Of each point</source>
@@ -516,6 +552,10 @@
       <translation>Le nuage qui est palpé</translation>
     </message>
     <message>
+      <source>The cloud whose edges are sought</source>
+      <translation>Le nuage dont on cherche les arêtes</translation>
+    </message>
+    <message>
       <source>The cloud whose points are measured</source>
       <translation>Le nuage dont les points sont mesurés</translation>
     </message>
@@ -590,6 +630,10 @@
     <message>
       <source>What was fitted: line, arc or spline</source>
       <translation>Ce qui a été ajusté : droite, arc ou spline</translation>
+    </message>
+    <message>
+      <source>Where edges meet</source>
+      <translation>Où des arêtes se rejoignent</translation>
     </message>
     <message>
       <source>Where the scan begins: a point near the edge, or, with Across and Along, the first point of the first scan line (document coordinates)</source>

@@ -26,10 +26,13 @@ if TYPE_CHECKING:
     from .deviation_map import make_deviation_map as make_deviation_map
     from .deviation_map import save_deviation_map as save_deviation_map
     from .edge_export import export_csv as export_csv
+    from .edge_network import make_edge_network as make_edge_network
     from .export import export_step as export_step
     from .extended_surface import make_extended_surface as make_extended_surface
     from .fitted_surface import make_fitted_surface as make_fitted_surface
     from .native_edge import edge_shape as edge_shape
+    from .network_shape import network_shape as network_shape
+    from .network_shape import network_wires as network_wires
     from .report_page import write_report as write_report
     from .scanned_boundary import make_scanned_boundary as make_scanned_boundary
     from .scanned_edge import change_scanned_edge as change_scanned_edge
@@ -56,6 +59,7 @@ _HOME_OF = {
     "make_compensated_cloud": "compensated_cloud",
     "make_core_box": "simulated_cloud_object",
     "make_demo": "demo",
+    "make_edge_network": "edge_network",
     "make_cloud_segment": "cloud_segment",
     "make_fitted_surface": "fitted_surface",
     "make_extended_surface": "extended_surface",
@@ -73,6 +77,8 @@ _HOME_OF = {
     "make_swept_surface": "swept_surface",
     "make_thinned_cloud": "thinned_cloud",
     "make_trimmed_shell": "trimmed_shell",
+    "network_shape": "network_shape",
+    "network_wires": "network_shape",
     "point_cloud": "cloud_cache",
     "points_of": "bridge",
     "simulate_cloud": "simulated_shape",

@@ -8,7 +8,7 @@ edge than to any other one, and the truth to choose what they answer.
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from importlib import import_module
 from importlib.util import find_spec
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ..cloud import PointCloud, TrueEdge
 from ..geometry import fit_plane
 
-__all__ = ["PEERS", "missing_peers", "plane_pair", "variation_labels"]
+__all__ = ["PEERS", "missing_peers", "plane_pair", "variation_labels", "whole_cloud_labels"]
 
 Array = NDArray[np.float64]
 
@@ -93,6 +93,29 @@ def variation_labels(cloud: PointCloud, truth: TrueEdge, noise: float) -> Array:
     variation[~sought | ~np.isfinite(variation)] = -1.0
     count = min(int(truth.length / cloud.pitch), int(sought.sum()))
     return np.asarray(points[np.argsort(variation)[len(points) - count :]])
+
+
+def whole_cloud_labels(cloud: PointCloud, edges: Sequence[TrueEdge]) -> Array:
+    """The points of largest surface variation in a whole cloud (jakteristics).
+
+    Parameters
+    ----------
+    edges : the true edges; their length tells how many points to label, one for each pitch
+
+    Returns
+    -------
+    (k, 3) points, mm.
+    """
+    features = import_module("jakteristics").compute_features
+    variation = features(
+        np.array(cloud.points),  # it wants to be able to write into them
+        search_radius=_VARIATION * cloud.pitch,
+        feature_names=["surface_variation"],
+        num_threads=2,
+    )[:, 0]
+    variation = np.where(np.isfinite(variation), variation, -1.0)
+    count = min(int(sum(edge.length for edge in edges) / cloud.pitch), len(cloud))
+    return np.asarray(cloud.points[np.argsort(variation)[len(cloud) - count :]])
 
 
 @contextmanager

@@ -24,7 +24,9 @@ _ICONS = {
     "ThinnedCloudProxy": "EdgeScan_ThinCloud",
     "CompensatedCloudProxy": "EdgeScan_CompensateCloud",
     "ScannedBoundaryProxy": "EdgeScan_ScanBoundary",
+    "EdgeNetworkProxy": "EdgeScan_ScanBoundary",
 }
+_EDGES = ("ScannedBoundaryProxy", "EdgeNetworkProxy")
 _SHADED = ("SimulatedCloudProxy", "ThinnedCloudProxy", "CompensatedCloudProxy")
 
 
@@ -39,7 +41,7 @@ class ViewProviderComputed:
         self.attach(view_object)
         if hasattr(view_object, "PointSize"):
             view_object.PointSize = float(point_size())
-        if type(view_object.Object.Proxy).__name__ == "ScannedBoundaryProxy":
+        if type(view_object.Object.Proxy).__name__ in _EDGES:
             view_object.LineColor, view_object.LineWidth = EDGE, 3.0
 
     def attach(self, view_object: Any) -> None:

@@ -31,6 +31,7 @@ _HOME_OF = {
             "ThinnedCloudProxy",
             "CompensatedCloudProxy",
             "ScannedBoundaryProxy",
+            "EdgeNetworkProxy",
         ),
         ("computed_view", "ViewProviderComputed"),
     ),

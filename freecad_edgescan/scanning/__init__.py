@@ -5,6 +5,7 @@ from .analytic_cmm import AnalyticCmm
 from .boundary import scan_boundary
 from .cmm import Cmm
 from .errors import ScanError
+from .network import EdgeNetwork, Region, find_edges
 from .parameters import Compensation, Pattern, ScanParameters, Steering, Tangent
 from .point_cloud_cmm import PointCloudCmm
 from .probed_lines import ProbedLines
@@ -22,6 +23,9 @@ from .stop import Stop
 __all__ = [
     "AnalyticCmm",
     "Cmm",
+    "EdgeNetwork",
+    "Region",
+    "find_edges",
     "PointCloudCmm",
     "ProbedLines",
     "Safeguards",

@@ -24,7 +24,7 @@ from .stop import Stop
 from .trace import Trace, turned
 from .vertex import EdgeEnd, FoundVertex, find_vertex
 
-__all__ = ["Vertices", "corners_at", "vertices_of", "walked_to_vertices"]
+__all__ = ["Vertices", "corners_at", "led_to_vertex", "vertices_of", "walked_to_vertices"]
 
 Vertices = tuple[FoundVertex | None, FoundVertex | None]
 
@@ -43,7 +43,7 @@ def walked_to_vertices(cloud: PointCloud, trace: Trace, settings: PatchSettings)
     for k, stop in enumerate(trace.stops):
         if _may_have_a_vertex(stop, settings) and len(stations) >= _FEWEST:
             outward = stations if k else [turned(station) for station in reversed(stations)]
-            outward = _to_vertex(cloud, outward, settings)
+            outward = led_to_vertex(cloud, outward, settings) or outward
             stations = outward if k else [turned(station) for station in reversed(outward)]
     return replace(trace, stations=stations)
 
@@ -52,8 +52,16 @@ def _may_have_a_vertex(stop: Stop, settings: PatchSettings) -> bool:
     return stop in _MAY_BE_CORNERS and not settings.probe_radius
 
 
-def _to_vertex(cloud: PointCloud, walked: list[Station], settings: PatchSettings) -> list[Station]:
-    """Stations up to half a pitch before the vertex ahead of them, if there is one."""
+def led_to_vertex(
+    cloud: PointCloud, walked: list[Station], settings: PatchSettings, beyond: float = 0.0
+) -> list[Station] | None:
+    """Stations up to half a pitch before the vertex ahead of them; None where there is none.
+
+    Parameters
+    ----------
+    walked : four stations at least, outward
+    beyond : how much farther than where a walk ends the vertex may lie, mm
+    """
     pitch = settings.cloud_pitch
     stations = _without_doubtful_end(walked)
     last = stations[-1]
@@ -67,9 +75,10 @@ def _to_vertex(cloud: PointCloud, walked: list[Station], settings: PatchSettings
         overlap=1.0,
         noise=settings.noise,
     )
-    vertex = find_vertex(cloud, end, settings.min_angle, beyond=_gap(walked[-1], last))
+    beyond += _gap(walked[-1], last)
+    vertex = find_vertex(cloud, end, settings.min_angle, beyond)
     if vertex is None:
-        return walked
+        return None
     ahead = [
         float((vertex.point - station.frame.origin[0]) @ station.frame.tangent[0])
         for station in stations
@@ -77,8 +86,8 @@ def _to_vertex(cloud: PointCloud, walked: list[Station], settings: PatchSettings
     if ahead[-1] > pitch:
         step = ahead[-1] - _SHORT * pitch
         # It has not been measured: its neighbours know better where the edge runs.
-        beyond = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
-        return [*stations, beyond]
+        onward = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
+        return [*stations, onward]
     kept = len(stations)
     while kept > _FEWEST and ahead[kept - 1] < 0.0:
         kept -= 1

@@ -32,7 +32,7 @@ from .start import Gate, Start
 from .stop import Stop
 from .trace import Trace, trace_both_ways, trace_one_way
 
-__all__ = ["scan_with_patches"]
+__all__ = ["FEWEST_POINTS", "check_edge", "scan_with_patches"]
 
 Point = Sequence[float] | np.ndarray
 _BESIDE = 1.2  # pitches: what an edge may be off its points besides where its sides begin
@@ -66,8 +66,7 @@ def scan_with_patches(
     trace = _trace(PatchSection(cloud, settings), first, start, arrived, progress)
     if len(trace.stations) >= FEWEST_POINTS or Stop.CANCELLED in trace.stops:
         edge = finish_edge(cloud, trace, chosen, arrived)
-        _check_known(edge, chosen)
-        _check_beside_points(edge, cloud)
+        check_edge(edge, cloud, chosen)
         if len(edge) >= FEWEST_POINTS or Stop.CANCELLED in trace.stops:
             return replace(edge, message=describe(edge, gate))
     raise ScanError(
@@ -91,6 +90,17 @@ def _trace(
     if arrived is not None and start is None:
         first = heading_for(first, arrived)
     return trace_one_way(section, first, gait, arrived, progress)
+
+
+def check_edge(edge: ScannedEdge, cloud: PointCloud, chosen: Chosen) -> None:
+    """Refuse what is no edge.
+
+    Raises
+    ------
+    ScanError: it is known too badly, or its sides come together far outside the points.
+    """
+    _check_known(edge, chosen)
+    _check_beside_points(edge, cloud)
 
 
 def _check_known(edge: ScannedEdge, chosen: Chosen) -> None:

@@ -15,6 +15,7 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners, largest_sigma
 from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
+from .sections import Sections
 from .side_fit import SideFits, block_counts, block_moments, choose_stretches, without_crowds
 from .stop import Stop
 
@@ -132,23 +133,33 @@ class PatchSection:
         return found[np.abs(found.along) <= half_width[found.owner]]
 
     def _measure_once(self, frames: Frames, half_width: np.ndarray) -> list[Station]:
+        seen = self.look(frames, half_width)
+        return [seen.station(k) for k in range(len(frames))]
+
+    def look(self, frames: Frames, half_width: np.ndarray) -> Sections:
+        """Measure in one slab each, once.
+
+        Parameters
+        ----------
+        half_width : (m,) mm
+        """
         settings, sections = self.settings, len(frames)
         points = self.slab(frames, half_width)
         kept = points[self._plausible(frames, points)]
         supplied = np.bincount(points.owner, minlength=sections)
-        missing = [Stop.CLOUD_END if count < 12 else Stop.CORNER for count in supplied]
+        missing = np.array(
+            [Stop.CLOUD_END if count < 12 else Stop.CORNER for count in supplied], dtype=object
+        )
         enough = _counts(kept, sections).min(axis=1) >= 6
         if not enough.any():
-            return [Station(frames[k], stop=missing[k]) for k in range(sections)]
+            return Sections.unmeasured(frames, missing, settings.reach)
         fits = self._fit(frames, kept, half_width)
         residual = fits.residuals(kept)
         limit = 3.5 * np.maximum(np.sqrt(fits.variance) * settings.reach, settings.noise)
         inliers = np.abs(residual) <= limit[kept.owner, kept.side]
         if not np.all(inliers):
-            removed = block_counts(kept[~inliers], sections, settings.reach)
+            fits = self._fitted_again(frames, kept, inliers, fits, half_width)
             kept = kept[inliers]
-            left = block_counts(kept, sections, settings.reach)
-            fits = self._fit(frames, kept, half_width, removed > 0.25 * (left + removed))
         ahead = kept.along > 0.0
         enough &= (
             np.minimum(_counts(kept[ahead], sections), _counts(kept[~ahead], sections))
@@ -167,36 +178,42 @@ class PatchSection:
         )
         sigma = largest_sigma(corner.covariance)
         noise = np.sqrt(fits.variance.min(axis=1)) * settings.reach
-        cover, turn, begins, ends = _cover(kept, fits), measured.turn, fits.begins, fits.ends
+        cover, begins, ends = _cover(kept, fits), fits.begins, fits.ends
         lost_in_noise = ~(sigma <= 0.5 * begins.max(axis=1) + 2.0 * settings.cloud_pitch)
-        stations = []
-        for k in range(sections):
-            stop = None
-            if not enough[k]:
-                stop = missing[k]
-            elif lost[k]:
-                stop = Stop.LOST
-            if stop is not None:
-                stations.append(Station(frames[k], stop=stop))
-                continue
-            if turn[k] < settings.min_angle / 2.0:
-                stop = Stop.SMOOTH
-            elif lost_in_noise[k]:
-                stop = Stop.LOST
-            elif noise[k] > _MOST_SCATTER * settings.noise:
-                stop = Stop.CORNER
-            stations.append(
-                Station(
-                    measured[k],
-                    float(sigma[k]),
-                    float(noise[k]),
-                    (float(begins[k, 0]), float(begins[k, 1])),
-                    float(cover[k]),
-                    stop,
-                    ends=(float(ends[k, 0]), float(ends[k, 1])),
-                )
-            )
-        return stations
+        stops = np.full(sections, None, dtype=object)
+        stops[noise > _MOST_SCATTER * settings.noise] = Stop.CORNER
+        stops[lost_in_noise] = Stop.LOST
+        stops[measured.turn < settings.min_angle / 2.0] = Stop.SMOOTH
+        reach = np.full(sections, settings.reach)
+        seen = Sections(measured, sigma, noise, begins, ends, cover, stops, reach)
+        if np.all(enough & ~lost):
+            return seen
+        missing[enough] = Stop.LOST
+        nowhere = np.flatnonzero(~enough | lost)
+        nothing = Sections.unmeasured(frames[nowhere], missing[nowhere], settings.reach)
+        return seen.replaced(nowhere, nothing)
+
+    def _fitted_again(
+        self,
+        frames: Frames,
+        points: SectionPoints,
+        inliers: np.ndarray,
+        fits: SideFits,
+        half_width: np.ndarray,
+    ) -> SideFits:
+        """The fits, those of sections with outliers without these."""
+        rows = np.unique(points.owner[~inliers])
+        number = np.full(len(frames), -1)
+        number[rows] = np.arange(len(rows))
+        theirs = number[points.owner] >= 0
+        own, kept = points[theirs], inliers[theirs]
+        own = replace(own, owner=number[own.owner])
+        removed, left = (
+            block_counts(own[part], len(rows), self.settings.reach) for part in (~kept, kept)
+        )
+        doubtful = removed > 0.25 * (left + removed)
+        again = self._fit(frames[rows], own[kept], half_width[rows], doubtful)
+        return fits.replaced(rows, again)
 
     def _hanging(self, corner: Corners, fits: SideFits, points: SectionPoints) -> np.ndarray:
         """Whether an edge point hangs farther in the air than a rounding can take away, (m,).

@@ -63,6 +63,14 @@ class Frames:
         """The same sections in the other order, walked the other way."""
         return replace(self[::-1], tangent=-self.tangent[::-1])
 
+    def replaced(self, rows: np.ndarray, others: Frames) -> Frames:
+        """These sections, and others (k) in some rows: (k,) indices."""
+        names = ("origin", "tangent", "sides", "normals", "bend", "curvature")
+        arrays = {name: getattr(self, name).copy() for name in names}
+        for name, array in arrays.items():
+            array[rows] = getattr(others, name)
+        return Frames(**arrays)
+
     @staticmethod
     def join(frames: Sequence[Frames]) -> Frames:
         """Put sections behind each other."""

@@ -107,6 +107,13 @@ class SideFits:
             }
         )
 
+    def replaced(self, rows: np.ndarray, others: SideFits) -> SideFits:
+        """These fits, and those of other sections in some rows (k,)."""
+        arrays = {name: array.copy() for name, array in self._arrays().items()}
+        for name, new in others._arrays().items():
+            arrays[name][rows] = new
+        return self._with(arrays)
+
     def _arrays(self) -> dict[str, np.ndarray]:
         return {each.name: getattr(self, each.name) for each in fields(self)[1:]}
 

@@ -39,6 +39,7 @@ def walk(
     limit: int = 100_000,
     progress: Progress | None = None,
     known: Sequence[Station] = (),
+    behind: Sequence[Station] = (),
 ) -> Walk:
     """Walk along the tangent of the first station until the edge ends.
 
@@ -51,9 +52,11 @@ def walk(
     limit : largest number of stations
     progress : told after some stations, may cancel
     known : the first station and what an earlier walk the other way found, for the progress
+    behind : stations that lead up to the first one; where the edge closes, it is at their beginning
     """
     stations = [first]
-    travelled = 0.0
+    home = behind[0] if behind else first
+    travelled = sum(station.step for station in [*behind, first][1:])
     teller = _Teller(progress, stations, known)
     while True:
         for station in gait.stride(section, stations):
@@ -66,7 +69,7 @@ def walk(
             travelled += station.step
             if arrived is not None and arrived(here, there):
                 return teller.last(Walk(stations[1:], Stop.GATE))
-            if _closed(first, station, travelled, gait.longest_step):
+            if _closed(home, station, travelled, gait.longest_step):
                 return teller.last(Walk(stations[1:], Stop.CLOSED))
             if not teller.tell():
                 return Walk(stations[1:], Stop.CANCELLED)

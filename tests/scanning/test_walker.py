@@ -152,6 +152,17 @@ def test_a_circle_is_closed_when_the_walk_comes_back_to_its_start():
     assert gap < 1.3 * PITCH
 
 
+def test_a_walk_led_on_from_known_stations_is_closed_where_those_begin():
+    edge = KnownEdge(circle, noise=0.01)
+    first = edge.station(0.0)
+    known = [first, *walk(edge, first, gait(), limit=15).stations]
+    found = walk(edge, known[-1], gait(), behind=known[:-1])
+    assert found.stop is Stop.CLOSED
+    assert len(known) + len(found.stations) == pytest.approx(2 * np.pi * 8.0 / PITCH, abs=2)
+    gap = np.linalg.norm(places(found.stations)[-1] - circle(0.0)[0])
+    assert gap < 1.3 * PITCH
+
+
 def test_a_helix_that_passes_above_its_start_is_not_closed():
     found = walked(KnownEdge(helix, high=150.0))
     assert found.stop is Stop.CLOUD_END

@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Nodes: some of a cloud's points, evenly spread, with the normals of the surface round them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...cloud.point_cloud import PointCloud
+
+__all__ = ["Nodes", "spread_nodes"]
+
+_AT_ONCE = 50_000  # nodes whose neighbourhoods are held at a time
+
+
+@dataclass(frozen=True)
+class Nodes:
+    """Evenly spread points of a cloud.
+
+    Attributes
+    ----------
+    rows : (k,) numbers of the points in the cloud
+    places : (k, 3) mm, the middles of their neighbourhoods
+    normals : (k, 3) unit normals of the planes through these, of either sign
+    """
+
+    rows: np.ndarray
+    places: np.ndarray
+    normals: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+def spread_nodes(cloud: PointCloud, spacing: float, neighbours: int) -> Nodes:
+    """One point for each occupied cube of a grid, with its neighbourhood's plane.
+
+    Parameters
+    ----------
+    spacing : side of the cubes, mm
+    neighbours : number of points of a neighbourhood
+    """
+    rows = _one_of_each_cube(cloud.points, spacing)
+    count = min(neighbours, len(cloud))
+    pieces = [
+        _planes(cloud, part, count)
+        for part in np.array_split(rows, max(1, -(-len(rows) // _AT_ONCE)))
+    ]
+    places, normals = (np.concatenate(values) for values in zip(*pieces, strict=True))
+    return Nodes(rows, places, normals)
+
+
+def _planes(cloud: PointCloud, rows: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    near = cloud.tree.query(cloud.points[rows], k=count, workers=-1)[1]
+    offsets = cloud.points[near]
+    centre = offsets.mean(axis=1)
+    offsets -= centre[:, None]
+    normals = np.linalg.eigh(offsets.transpose(0, 2, 1) @ offsets)[1][:, :, 0]
+    return centre, normals
+
+
+def _one_of_each_cube(points: np.ndarray, side: float) -> np.ndarray:
+    """Rows of one point in each cube that holds any, the one nearest to its middle."""
+    place = (points - points.min(axis=0)) / side
+    cell = np.floor(place)
+    off = np.square(place - cell - 0.5).sum(axis=1)
+    counts = cell.max(axis=0) + 1.0
+    if counts.prod() > 2.0**62:  # hardly two points share a cube
+        return np.arange(len(points))
+    number = cell @ np.array([counts[1] * counts[2], counts[2], 1.0])
+    order = np.lexsort((off, number))
+    return np.sort(order[np.flatnonzero(np.diff(number[order], prepend=-1.0))])

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Tracks: the sections of one edge in order, all looking the same way, steadied by each other.
+
+One narrow section reads its tangent off a few pitches and knows it badly; where its neighbours
+stand tells it well.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ...geometry.frames import turned_along
+from ..section import Frames, Station, frames_from_sides
+from ..sections import Sections
+from .chains import Chain
+from .soundness import corners_within
+
+__all__ = ["Track", "join_tracks", "reversed_track", "split_at_corners", "track_of"]
+
+_BESIDE = 2  # sections on each side that tell a tangent
+
+
+@dataclass(frozen=True)
+class Track:
+    """Sections of one edge in order.
+
+    Attributes
+    ----------
+    sections : (k) alike in direction and sides
+    closed : whether the last one is followed by the first
+    """
+
+    sections: Sections
+    closed: bool
+
+    def __len__(self) -> int:
+        return len(self.sections)
+
+    @property
+    def length(self) -> float:
+        """Length from the first to the last section, mm."""
+        steps = np.diff(self.sections.frames.origin, axis=0)
+        return float(np.linalg.norm(steps, axis=1).sum())
+
+    def stations(self) -> list[Station]:
+        """The sections as stations of a walk."""
+        origin = self.sections.frames.origin
+        steps = np.append(np.nan, np.linalg.norm(np.diff(origin, axis=0), axis=1))
+        return [
+            replace(self.sections.station(number), step=float(step))
+            for number, step in enumerate(steps)
+        ]
+
+
+def track_of(sections: Sections, chain: Chain) -> Track:
+    """The track of a chain."""
+    own = sections[chain.rows]
+    frames = own.frames
+    tangent = np.where(chain.forward[:, None], frames.tangent, -frames.tangent)
+    crossed = _crossed(frames.sides, tangent)
+    other = np.where(crossed[:, None], np.array([1, 0]), np.array([0, 1]))
+    rows = np.arange(len(own))[:, None]
+    turned = Frames(
+        frames.origin,
+        tangent,
+        frames.sides[rows, other],
+        frames.normals[rows, other],
+        frames.bend,
+        frames.curvature[rows, other],
+    )
+    return _steadied(replace(own, frames=turned, begins=own.begins[rows, other]), chain.closed)
+
+
+def split_at_corners(track: Track) -> list[Track]:
+    """The track, or its parts between the corners that it turns, without these."""
+    count = len(track)
+    corners = corners_within(track.sections.frames.origin, track.closed)
+    if not len(corners):
+        return [track]
+    order = np.arange(count)
+    if track.closed:
+        first = int(corners[0])
+        order = np.roll(order, -first)
+        corners = (corners - first) % count
+    parts, begin = [], 0
+    for corner in [*corners.tolist(), count]:
+        rows = order[begin:corner]
+        if len(rows) >= 2:
+            part = track.sections[rows]
+            ways = np.ones(len(rows), dtype=bool)
+            parts.append(track_of(part, Chain(np.arange(len(rows)), ways, False)))
+        begin = corner + 1
+    return parts
+
+
+def reversed_track(track: Track) -> Track:
+    """The same track the other way."""
+    backward = track.sections[np.arange(len(track))[::-1]]
+    frames = replace(backward.frames, tangent=-backward.frames.tangent)
+    return Track(replace(backward, frames=frames), track.closed)
+
+
+def join_tracks(parts: list[Track], closed: bool = False) -> Track:
+    """Tracks behind each other, the sides of each as those of the one before."""
+    sections = Sections.join([part.sections for part in parts])
+    count = len(sections)
+    chain = Chain(np.arange(count), np.ones(count, dtype=bool), closed)
+    return track_of(sections, chain)
+
+
+def _crossed(sides: np.ndarray, tangent: np.ndarray) -> np.ndarray:
+    """Which sections have their sides the other way round than the first one, (k,)."""
+    if len(sides) < 2:
+        return np.zeros(len(sides), dtype=bool)
+    carried = turned_along(sides[:-1], tangent[:-1], tangent[1:])
+    straight = np.einsum("nki,nki->n", carried, sides[1:])
+    swapped = np.einsum("nki,nki->n", carried, sides[1:, ::-1])
+    changes = np.append(False, swapped > straight)
+    return np.asarray(np.cumsum(changes) % 2 == 1)
+
+
+def _steadied(sections: Sections, closed: bool) -> Track:
+    """The track with tangents and bends as the places of the neighbouring sections tell them."""
+    frames, count = sections.frames, len(sections)
+    if count < 3:
+        return Track(sections, closed)
+    rows = np.arange(count)
+    if closed:
+        before, after = (rows - _BESIDE) % count, (rows + _BESIDE) % count
+        middle = rows
+    else:
+        wide = min(_BESIDE, (count - 1) // 2)
+        middle = np.clip(rows, wide, count - 1 - wide)
+        before, after = middle - wide, middle + wide
+    origin = frames.origin
+    first, second = origin[middle] - origin[before], origin[after] - origin[middle]
+    bend = _bend(first, second)
+    chord = first + second
+    tangent = chord / np.maximum(np.linalg.norm(chord, axis=1, keepdims=True), 1e-12)
+    # The chord's direction is that in the middle; beside it the edge has turned on.
+    beyond = np.einsum("ni,ni->n", origin - origin[middle], tangent)
+    tangent = tangent + beyond[:, None] * bend
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    bend = bend - np.einsum("ni,ni->n", bend, tangent)[:, None] * tangent
+    steady = frames_from_sides(origin, tangent, frames.sides, bend, frames.curvature)
+    return Track(replace(sections, frames=steady), closed)
+
+
+def _bend(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """Curvature vectors (n, 3), 1/mm, of arcs over two chords that follow each other."""
+    a, b = (np.maximum(np.linalg.norm(x, axis=1, keepdims=True), 1e-12) for x in (first, second))
+    return np.asarray(2.0 * (second / b - first / a) / (a + b))
