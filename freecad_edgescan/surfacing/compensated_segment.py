@@ -16,6 +16,7 @@ __all__ = ["compensated_segment"]
 Array = NDArray[np.float64]
 
 _STEEPEST = np.pi / 3  # rad, most by which the cloud may be inclined to the base surface
+_ROLLED = 3.0  # standard deviations of the noise, from the rim of the surface
 _ROOM = 5.0  # pitches round the segment that compensation looks at
 
 
@@ -56,9 +57,8 @@ def compensated_segment(
     rows = np.flatnonzero(segment_cloud(compensated, base, distance, _STEEPEST, rest))
     points = compensated.points[rows]
     u, v, _ = base.closest(points)
-    inner = np.ones(len(points), dtype=bool)
-    for x, (first, last) in zip((u, v), base.parameter_range, strict=True):
-        inner &= (x > first) & (x < last)
+    # Where the ball began to roll over the rim, its direction is between those of both surfaces.
+    inner = _off_the_rim(base, u, v, _ROLLED * cloud.noise if cloud.probe_radius else 0.0)
     if cloud.probe_radius > 0.0 and inner.any():
         outwards = cloud.points[compensated.kept][rows] - points
         facing = np.einsum("mi,mi->m", outwards, base.normal(u, v))
@@ -70,3 +70,14 @@ def _within(points: Array, corners: Array, room: float) -> NDArray[np.bool_]:
     """Points in the box round some corners, or nearer to it than some room."""
     low, high = corners.min(axis=0) - room, corners.max(axis=0) + room
     return np.asarray(((points > low) & (points < high)).all(axis=1))
+
+
+def _off_the_rim(base: BSplineSurface, u: Array, v: Array, room: float) -> NDArray[np.bool_]:
+    """Whether feet (n,) are farther than some room from the rim of a surface, (n,) bool."""
+    feet, inner = base.evaluate(u, v), np.ones(len(u), dtype=bool)
+    for axis, closed in enumerate(base.closed):
+        for end in () if closed else base.parameter_range[axis]:
+            at = [u, v]
+            at[axis] = np.full(len(u), end)
+            inner &= np.linalg.norm(base.evaluate(*at) - feet, axis=1) > room
+    return inner
