@@ -113,6 +113,8 @@ def test_parameters_are_recommended_and_ok_scans_with_them(window: Any, panel: l
 
 @pytest.mark.parametrize("name", ["EdgeScan_ScanBoundary", "EdgeScan_RecommendParameters"])
 def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str, panel: list[Any]) -> None:
+    from freecad_edgescan.gui import background
+
     before, threads = window.trace(), window.threads
     shown = opened(window, name, panel)
     window.click_pixel(3, 3)
@@ -126,6 +128,7 @@ def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str, panel: 
     cancel(shown).click()
     window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.trace() == before
+    window.wait_until(lambda: background.running() == 0)
     assert window.threads <= threads
     del shown
     window.settle()

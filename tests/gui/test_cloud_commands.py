@@ -142,6 +142,7 @@ def test_what_is_wrong_with_the_selection_is_said(
         select(*selected)
         Gui.runCommand(name)
         assert word in problems.pop()
+    cloud.ViewObject.Visibility = again.ViewObject.Visibility = True
     assert window.trace() == before
 
 
