@@ -81,7 +81,7 @@ def _write(options: argparse.Namespace, network: EdgeNetwork, written: list[Path
     if options.output:
         try:
             from freecad_edgescan.document import export_step
-            from freecad_edgescan.document.network_shape import network_shape
+            from freecad_edgescan.document.edge_network_shape import network_shape
         except ImportError as error:
             raise ValueError(
                 f"{options.output} needs FreeCAD, which did not load ({error}); write .csv instead."

@@ -27,12 +27,12 @@ if TYPE_CHECKING:
     from .deviation_map import save_deviation_map as save_deviation_map
     from .edge_export import export_csv as export_csv
     from .edge_network import make_edge_network as make_edge_network
+    from .edge_network_shape import network_shape as network_shape
+    from .edge_network_shape import network_wires as network_wires
     from .export import export_step as export_step
     from .extended_surface import make_extended_surface as make_extended_surface
     from .fitted_surface import make_fitted_surface as make_fitted_surface
     from .native_edge import edge_shape as edge_shape
-    from .network_shape import network_shape as network_shape
-    from .network_shape import network_wires as network_wires
     from .report_page import write_report as write_report
     from .scanned_boundary import make_scanned_boundary as make_scanned_boundary
     from .scanned_edge import change_scanned_edge as change_scanned_edge
@@ -77,8 +77,8 @@ _HOME_OF = {
     "make_swept_surface": "swept_surface",
     "make_thinned_cloud": "thinned_cloud",
     "make_trimmed_shell": "trimmed_shell",
-    "network_shape": "network_shape",
-    "network_wires": "network_shape",
+    "network_shape": "edge_network_shape",
+    "network_wires": "edge_network_shape",
     "point_cloud": "cloud_cache",
     "points_of": "bridge",
     "simulate_cloud": "simulated_shape",

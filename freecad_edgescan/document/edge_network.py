@@ -18,9 +18,9 @@ from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
+from .edge_network_shape import network_shape
 from .linked_geometry import require_cloud
 from .native_curve import vector
-from .network_shape import network_shape
 
 __all__ = ["EdgeNetworkProxy", "make_edge_network"]
 

@@ -68,7 +68,9 @@ class AdaptiveGait:
     def stride(self, section: Section, stations: Sequence[Station]) -> list[Station]:
         """Step on; where that fails, in shorter steps, and round a bend at last."""
         last, pitch = stations[-1], self.edge_pitch
-        step = min(1.5 * last.step, self.longest_step) if np.isfinite(last.step) else pitch
+        # Stations that were not walked to may stand on one place.
+        step = max(1.5 * last.step, _SHORTEST_STEP * pitch) if np.isfinite(last.step) else pitch
+        step = min(step, self.longest_step)
         step = min(step, max(_MOST_BENT / _bend(last), _SHORTEST_STEP * pitch))
         most = int(np.clip(_MOST_TURNED / (step * _bend(last)), 1, _AHEAD))
         found, stop = self._run_on(section, last, step, most if _as_expected(stations) else 1)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """The walker on edges that are curves in a formula, measured by a section that knows them."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
@@ -161,6 +163,13 @@ def test_a_walk_led_on_from_known_stations_is_closed_where_those_begin():
     assert len(known) + len(found.stations) == pytest.approx(2 * np.pi * 8.0 / PITCH, abs=2)
     gap = np.linalg.norm(places(found.stations)[-1] - circle(0.0)[0])
     assert gap < 1.3 * PITCH
+
+
+def test_from_two_stations_on_one_place_the_walk_goes_on():
+    edge = KnownEdge(straight, -1.0, 20.0)
+    found = walk(edge, replace(edge.station(0.0), step=0.0), gait())
+    assert found.stop is Stop.CLOUD_END
+    assert edge.at > 20.0 - PITCH
 
 
 def test_a_helix_that_passes_above_its_start_is_not_closed():
