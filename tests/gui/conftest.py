@@ -156,6 +156,15 @@ class Window:
             QtWidgets.QApplication.sendEvent(self.viewport, event)
             self.settle(0.02)
 
+    def close_dock(self) -> None:
+        """Press the cross of the dock the panel is in; another panel may come into it later."""
+        self.settle()
+        dock = self.panel.form
+        while not isinstance(dock, QtWidgets.QDockWidget):
+            dock = dock.parentWidget()
+        dock.close()
+        QtCore.QTimer.singleShot(500, dock.show)
+
     @property
     def threads(self) -> int:
         """Threads that run Python now.
@@ -206,16 +215,16 @@ def problems(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 @pytest.fixture
 def panels(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """Weak references to the panels that are opened."""
-    from freecad_edgescan.gui.scan_edge_panel import ScanEdgePanel
+    from freecad_edgescan.gui.view_panel import ViewPanel
 
     opened: list[Any] = []
-    begin = ScanEdgePanel.__init__
+    begin = ViewPanel.__init__
 
     def note(panel: Any, *given: Any) -> None:
         begin(panel, *given)
         opened.append(weakref.ref(panel))
 
-    monkeypatch.setattr(ScanEdgePanel, "__init__", note)
+    monkeypatch.setattr(ViewPanel, "__init__", note)
     return opened
 
 

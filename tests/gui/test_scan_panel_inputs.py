@@ -146,10 +146,10 @@ def test_stop_here_keeps_what_is_there_and_can_be_had_again(
     from freecad_edgescan.gui.background import Background
     from freecad_edgescan.gui.scan_edge_panel import ScanEdgePanel
 
-    show, update, stopped = ScanEdgePanel._show_so_far, Background.update, threading.Event()
+    show, update, stopped = ScanEdgePanel.show_report, Background.update, threading.Event()
 
-    def show_and_stop(panel: Any) -> None:
-        show(panel)
+    def show_and_stop(panel: Any, edge: Any) -> None:
+        show(panel, edge)
         panel.form.stop.click()
         stopped.set()
 
@@ -158,7 +158,7 @@ def test_stop_here_keeps_what_is_there_and_can_be_had_again(
         stopped.wait(10.0)  # the walk is quicker than a hand
         return bool(update(work, fraction, so_far))
 
-    monkeypatch.setattr(ScanEdgePanel, "_show_so_far", show_and_stop)
+    monkeypatch.setattr(ScanEdgePanel, "show_report", show_and_stop)
     monkeypatch.setattr(Background, "update", report_and_wait)
     window.open_panel()
     window.click(on_the_roof(0.3, 0.0))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -105,12 +104,7 @@ def by_cancel(window: Any) -> None:
 
 
 def by_the_cross(window: Any) -> None:
-    window.settle()
-    dock = window.panel.form
-    while not isinstance(dock, QtWidgets.QDockWidget):
-        dock = dock.parentWidget()
-    dock.close()
-    QtCore.QTimer.singleShot(500, dock.show)
+    window.close_dock()
 
 
 def by_freecad(window: Any) -> None:
@@ -140,7 +134,7 @@ def test_no_way_out_at_any_moment_leaves_a_trace(
     way_out: Callable[[Any], None],
 ) -> None:
     before = window.trace()
-    threads = threading.active_count()
+    threads = window.threads
     moment(window)
     assert observers and callbacks
     way_out(window)
@@ -148,7 +142,7 @@ def test_no_way_out_at_any_moment_leaves_a_trace(
     window.wait_until(lambda: window.trace() == before and running() == 0, 20)
     window.settle(0.6 if way_out is by_the_cross else 0.0)
     assert not observers and not callbacks
-    assert threading.active_count() <= threads
+    assert window.threads <= threads
     scene = window.view.getSceneGraph()
     assert not any(scene.getByName(name) for name in PREVIEWS)
 
