@@ -22,7 +22,7 @@ ON_THE_RIDGE = (0.0, 2.0, 5.0)
 
 def opened(window: Any, name: str) -> Any:
     Gui.runCommand(name)
-    window.settle(0.2)
+    window.settle()
     return window.panel
 
 
@@ -34,7 +34,7 @@ def block(window: Any) -> Any:
     document.make_cloud(window.doc, numbers)
     window.doc.recompute()
     window.view.fitAll()
-    window.settle(0.3)
+    window.settle()
     return window
 
 
@@ -115,12 +115,12 @@ def test_the_cross_of_the_dock_ends_the_panel(window: Any, clicked: bool) -> Non
     window.close_dock()
     window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.trace() == before
-    window.settle(0.6)  # until the dock is back
+    window.pass_time(0.6)  # until the dock is back
 
 
 def test_a_cloud_that_is_shown_later_can_be_clicked(window: Any) -> None:
     window.cloud.ViewObject.Visibility = False
-    second = document.make_cloud(window.doc, roof() + [0.0, 40.0, 0.0])
+    second = document.make_cloud(window.doc, roof() + np.array([0.0, 40.0, 0.0]))
     window.doc.recompute()
     window.view.fitAll()
     shown = opened(window, "EdgeScan_ScanBoundary")
