@@ -504,6 +504,14 @@
       <translation>Farbskala und Histogramm zeigen</translation>
     </message>
     <message>
+      <source>Show each edge point in the colour of its sigma, from blue (well known) to yellow</source>
+      <translation>Jeden Kantenpunkt in der Farbe seines Sigmas zeigen, von Blau (gut bekannt) bis Gelb</translation>
+    </message>
+    <message>
+      <source>Show where across the edge each of its points was measured</source>
+      <translation>Zeigen, wo quer zur Kante jeder ihrer Punkte gemessen wurde</translation>
+    </message>
+    <message>
       <source>Standard deviation of the edge points, mm</source>
       <translation>Standardabweichung der Kantenpunkte, mm</translation>
     </message>
@@ -993,10 +1001,6 @@
     <message>
       <source>Hold Ctrl for clicks.</source>
       <translation>Zum Klicken Strg gedrückt halten.</translation>
-    </message>
-    <message>
-      <source>Hold Ctrl while clicking.</source>
-      <translation>Beim Klicken Strg gedrückt halten.</translation>
     </message>
     <message>
       <source>How far the measuring machine goes on looking for the surface</source>
@@ -1617,6 +1621,10 @@ wird gesucht …</translation>
     <message>
       <source>{edges} edges and no surface are selected. Select the surfaces of a shell, and the edges at which they end.</source>
       <translation>{edges} Kanten und keine Fläche sind ausgewählt. Die Flächen einer Schale auswählen, und die Kanten, an denen sie enden.</translation>
+    </message>
+    <message>
+      <source>{label} could not be computed: {reason}</source>
+      <translation>{label} konnte nicht berechnet werden: {reason}</translation>
     </message>
     <message>
       <source>{label} has {count} points. A pitch twice that of the cloud keeps a quarter of them. Edges are found best in the full cloud.</source>

@@ -504,6 +504,14 @@
       <translation>Montrer l'échelle de couleurs et l'histogramme</translation>
     </message>
     <message>
+      <source>Show each edge point in the colour of its sigma, from blue (well known) to yellow</source>
+      <translation>Afficher chaque point d'arête dans la couleur de son sigma, du bleu (bien connu) au jaune</translation>
+    </message>
+    <message>
+      <source>Show where across the edge each of its points was measured</source>
+      <translation>Afficher où, en travers de l'arête, chacun de ses points a été mesuré</translation>
+    </message>
+    <message>
       <source>Standard deviation of the edge points, mm</source>
       <translation>Écart-type des points de l'arête, mm</translation>
     </message>
@@ -992,10 +1000,6 @@
     </message>
     <message>
       <source>Hold Ctrl for clicks.</source>
-      <translation>Maintenez Ctrl en cliquant.</translation>
-    </message>
-    <message>
-      <source>Hold Ctrl while clicking.</source>
       <translation>Maintenez Ctrl en cliquant.</translation>
     </message>
     <message>
@@ -1617,6 +1621,10 @@ l'arête …</translation>
     <message>
       <source>{edges} edges and no surface are selected. Select the surfaces of a shell, and the edges at which they end.</source>
       <translation>{edges} arêtes sont sélectionnées, mais aucune surface. Sélectionnez les surfaces d'une coque, et les arêtes où elles finissent.</translation>
+    </message>
+    <message>
+      <source>{label} could not be computed: {reason}</source>
+      <translation>{label} n'a pas pu être calculé : {reason}</translation>
     </message>
     <message>
       <source>{label} has {count} points. A pitch twice that of the cloud keeps a quarter of them. Edges are found best in the full cloud.</source>

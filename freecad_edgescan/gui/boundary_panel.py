@@ -44,7 +44,7 @@ class BoundaryPanel(ClickPanel):
         """Scan round the face."""
         return scan_boundary(numbers, places[0], places[1], progress=progress)
 
-    def show_result(self, result: list[ScannedEdge]) -> str:
+    def draw_result(self, result: list[ScannedEdge]) -> str:
         """Draw all edge points; say what was found."""
         points = np.vstack([edge.points for edge in result])
         sigma = np.concatenate([edge.sigma for edge in result])

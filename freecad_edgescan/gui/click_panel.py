@@ -9,22 +9,22 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import FreeCAD
 import FreeCADGui
 
 from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.scanning import SoFar
 
-from .background import Background
 from .clicked_cloud import clicked_cloud, visible_clouds
+from .document_watch import DocumentWatch
 from .edge_preview import EdgePreview
 from .icons import icon_path
 from .live_edge import LiveEdge
 from .picking import Array
-from .qt import QtCore, QtGui, QtWidgets, as_int
+from .qt import QtGui, QtWidgets
 from .translation import translate
 from .view_clicks import ViewClicks
+from .view_panel import ViewPanel
 
 __all__ = ["ClickPanel", "view_for_clicks"]
 
@@ -42,7 +42,7 @@ def view_for_clicks() -> Any:
     return view
 
 
-class ClickPanel(QtCore.QObject):
+class ClickPanel(ViewPanel):
     """The panel; a command gives it its questions, its calculation and its answer.
 
     Parameters
@@ -61,30 +61,25 @@ class ClickPanel(QtCore.QObject):
     def __init__(
         self, doc: Any, view: Any, icon: str, title: str, questions: Sequence[str]
     ) -> None:
-        super().__init__()
-        self.clouds = visible_clouds(doc)
-        if not self.clouds:
+        if not visible_clouds(doc):
             raise ValueError(
                 translate(
                     "This document shows no point cloud. Import one (EdgeScan → Import cloud), "
                     "or make a hidden one visible."
                 )
             )
+        super().__init__(view, _ClickForm(title, icon))
         self.doc, self.title, self.questions = doc, title, questions
-        self._view = view
-        self._open = True
         self.cloud: Any = None
         self.numbers: PointCloud | None = None
         self.places: list[Array] = []
         self.result: Any = None
-        self.buttons: Any = None
-        self._work: Background | None = None
-        self.form = _ClickForm(title, icon)
         self.preview = EdgePreview(view)
-        self._clicks = ViewClicks(view, self._click, self._escape)
-        self._ctrl = view.getNavigationType() == "Gui::InventorNavigationStyle"
+        self._clicks = ViewClicks(view, self._click, self.leave_soon)
+        self._document_watch = DocumentWatch(
+            doc, _nothing, self._object_deleted, _nothing, self.vanish
+        )
         self._ask()
-        FreeCAD.addDocumentObserver(self)
 
     # What a command's own panel does.
 
@@ -92,7 +87,7 @@ class ClickPanel(QtCore.QObject):
         """Compute from the places clicked; in a thread, on arrays only."""
         raise NotImplementedError
 
-    def show_result(self, result: Any) -> str:
+    def draw_result(self, result: Any) -> str:
         """Draw a result in the preview; rich text that says what it is."""
         raise NotImplementedError
 
@@ -109,17 +104,11 @@ class ClickPanel(QtCore.QObject):
         """
         raise NotImplementedError
 
-    # What FreeCAD calls.
+    # What FreeCAD calls, and what the 3D view and the document tell.
 
-    def getStandardButtons(self) -> int:
-        """OK and Cancel."""
-        buttons = QtWidgets.QDialogButtonBox
-        return as_int(buttons.Ok | buttons.Cancel)
-
-    def modifyStandardButtons(self, box: Any) -> None:
-        """OK waits until there is a result."""
-        self.buttons = box
-        self._allow_ok()
+    def can_accept(self) -> bool:
+        """Whether there is a result."""
+        return self.result is not None
 
     def accept(self) -> bool:
         """Keep the result; the panel stays open when that fails."""
@@ -128,42 +117,34 @@ class ClickPanel(QtCore.QObject):
         try:
             self.keep()
         except ValueError as error:
-            self.form.say(str(error))
+            self._form.say(str(error))
             return False
         self.close()
         return True
 
-    def reject(self) -> bool:
-        """Leave no trace."""
-        self.close()
-        return True
+    def let_go(self, restore: bool) -> None:
+        """Take everything of the panel's out of the view and end its thread."""
+        super().let_go(restore)
+        self._document_watch.end()
+        self._clicks.close()
+        self.preview.close()
 
-    def slotDeletedDocument(self, doc: Any) -> None:
-        """The document is being closed under the panel."""
-        if self._open and doc.Name == self.doc.Name:
-            self.close()
-            QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
-
-    def slotDeletedObject(self, item: Any) -> None:
-        """A cloud is being deleted under the panel."""
-        if not self._open:
-            return
-        self.clouds = [cloud for cloud in self.clouds if cloud.Name != item.Name]
-        if self.cloud is not None and item.Name == self.cloud.Name:
+    def _object_deleted(self, name: str) -> None:
+        if self._open and self.cloud is not None and name == self.cloud.Name:
             self._start_over()
-            self.form.say(translate("The cloud was deleted.") + " " + self._question())
+            self._form.say(translate("The cloud was deleted.") + " " + self._question())
 
     # What the user does.
 
     def _click(self, position: tuple[int, int]) -> None:
         if len(self.places) == len(self.questions):
             self._start_over()
-        clouds = self.clouds if self.cloud is None else [self.cloud]
+        clouds = visible_clouds(self.doc) if self.cloud is None else [self.cloud]
         numbers = [(item, document.point_cloud(item)) for item in clouds]
         picked = clicked_cloud(self._view, position, numbers)
         if picked is None:
             missed = translate("There is no point of a visible cloud under the cursor.")
-            self.form.say(f"{missed} {self._question()}")
+            self._form.say(f"{missed} {self._question()}")
             return
         self.cloud, self.numbers = picked.item, picked.numbers
         self.places.append(picked.point)
@@ -176,46 +157,27 @@ class ClickPanel(QtCore.QObject):
     def _compute(self) -> None:
         numbers, places = self.numbers, list(self.places)
         assert numbers is not None
-        self.form.show_progress(True)
-        self.form.say(translate("Computing. Cancel gives it up."))
-        work = Background(lambda progress: self.calculate(numbers, places, progress), _drawn)
-        work.advanced.connect(self._advance)
-        work.succeeded.connect(self._succeed)
-        work.failed.connect(self._fail)
-        self._work = work
-        work.begin()
+        self._form.show_progress(True)
+        self._form.say(translate("Computing. Cancel gives it up."))
+        self.begin_work(lambda progress: self.calculate(numbers, places, progress), _drawn)
 
-    def _advance(self) -> None:
-        if self._work is None or self.sender() is not self._work:
-            return
-        report = self._work.take()
-        if report is not None and report[1] is not None:
-            self.preview.show_edge(report[1])
+    def show_report(self, digest: LiveEdge | None) -> None:
+        """Draw how far an edge was followed."""
+        if digest is not None:
+            self.preview.show_edge(digest)
 
-    def _succeed(self, result: Any) -> None:
-        if self.sender() is not self._work:
-            return
-        self._work = None
+    def show_result(self, result: Any) -> None:
+        """Draw the result and say what it is."""
         self.result = result
-        self.form.show_progress(False)
-        self.form.show_text(self.show_result(result))
-        self.form.say(self.after_result())
-        self._allow_ok()
+        self._form.show_progress(False)
+        self._form.show_text(self.draw_result(result))
+        self._form.say(self.after_result())
+        self.allow_ok()
 
-    def _fail(self, sentence: str) -> None:
-        if self.sender() is not self._work:
-            return
+    def show_failure(self, sentence: str) -> None:
+        """Say what went wrong, and ask again."""
         self._start_over()
-        self.form.say(f"{sentence} {self._question()}")
-
-    def _escape(self) -> None:
-        # The view is still handling the key: the panel goes when it is done.
-        QtCore.QTimer.singleShot(0, self._close_by_key)
-
-    def _close_by_key(self) -> None:
-        if self._open:
-            self.reject()
-            FreeCADGui.Control.closeDialog()
+        self._form.say(f"{sentence} {self._question()}")
 
     # The rest.
 
@@ -223,44 +185,23 @@ class ClickPanel(QtCore.QObject):
         """Whether the cloud is still the one the result belongs to."""
         return document.point_cloud(self.cloud) is self.numbers
 
-    def close(self) -> None:
-        """Take everything of the panel's out of the view and end its thread."""
-        if not self._open:
-            return
-        self._open = False
-        self.buttons = None  # FreeCAD's own, which Python must not keep longer than FreeCAD
-        FreeCAD.removeDocumentObserver(self)
-        self._end_work()
-        self._clicks.close()
-        self.preview.close()
-
     def _start_over(self) -> None:
-        self._end_work()
+        self.end_work()
         self.cloud = self.numbers = self.result = None
         self.places = []
         self.preview.show_clicks(())
         self.preview.clear_edge()
-        self.form.show_progress(False)
-        self.form.show_text("")
-        self._allow_ok()
+        self._form.show_progress(False)
+        self._form.show_text("")
+        self.allow_ok()
         self._ask()
 
     def _question(self) -> str:
         sentence = self.questions[min(len(self.places), len(self.questions) - 1)]
-        return sentence + (" " + translate("Hold Ctrl while clicking.") if self._ctrl else "")
+        return self.for_clicks(sentence)
 
     def _ask(self) -> None:
-        self.form.say(self._question())
-
-    def _end_work(self) -> None:
-        if self._work is not None:
-            self._work.abandon()
-            self._work = None
-
-    def _allow_ok(self) -> None:
-        if self.buttons is not None:
-            ok = self.buttons.button(QtWidgets.QDialogButtonBox.Ok)
-            ok.setEnabled(self.result is not None)
+        self._form.say(self._question())
 
 
 class _ClickForm(QtWidgets.QWidget):
@@ -314,3 +255,7 @@ class _ClickForm(QtWidgets.QWidget):
 def _drawn(so_far: object) -> LiveEdge | None:
     """What the preview shows of a report: an edge that is being walked along."""
     return LiveEdge.of_walk(so_far) if isinstance(so_far, SoFar) else None
+
+
+def _nothing(*_: object) -> None:
+    """What happens to other things in the document does not matter here."""

@@ -187,7 +187,7 @@ class ParameterForm(QtWidgets.QWidget):
         self._moment.timeout.connect(self.changed)
         self._method.currentIndexChanged.connect(self._show_method)
         self._reset.clicked.connect(self.reset)
-        self._show_method()
+        self._show_rows()
         self._allow_reset()
 
     @property

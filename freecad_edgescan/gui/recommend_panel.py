@@ -38,7 +38,7 @@ class RecommendPanel(ClickPanel):
         """Measure, and choose."""
         return recommend_parameters(numbers, places[0])
 
-    def show_result(self, result: Any) -> str:
+    def draw_result(self, result: Any) -> str:
         """What was measured, the error to expect, and each parameter with its reason."""
         rounding = result.fillet_radius
         measured = html_table(

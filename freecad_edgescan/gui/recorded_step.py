@@ -13,6 +13,8 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from .translation import translate
+
 __all__ = ["as_literal", "object_line", "object_lines", "run_as_one_step"]
 
 
@@ -83,4 +85,5 @@ def run_as_one_step(
 def _require_valid(made: list[Any]) -> None:
     for item in made:
         if "Invalid" in item.State:
-            raise ValueError(f"{item.Label} could not be computed: {item.getStatusString()}")
+            sentence = translate("{label} could not be computed: {reason}")
+            raise ValueError(sentence.format(label=item.Label, reason=item.getStatusString()))

@@ -13,6 +13,7 @@ from freecad_edgescan.document.scanned_edge import write_result
 from .recorded_step import run_as_one_step
 from .scan_job import Found
 from .scan_recording import change_lines, make_lines
+from .translation import translate
 
 __all__ = ["commit_scan"]
 
@@ -42,10 +43,12 @@ def commit_scan(doc: Any, edited: Any, cloud: Any, numbers: PointCloud, found: F
             write_result(made[0] if edited is None else edited, found.edge)
 
     if edited is None:
-        return run_as_one_step(doc, "Scan edge", make_lines(cloud, found.inputs), hand_over)
+        return run_as_one_step(
+            doc, translate("Scan edge"), make_lines(cloud, found.inputs), hand_over
+        )
     if _differs(edited, cloud, found.inputs):
         lines = change_lines(edited, cloud, found.inputs)
-        run_as_one_step(doc, "Edit scanned edge", lines, hand_over, changed=[edited])
+        run_as_one_step(doc, translate("Edit scanned edge"), lines, hand_over, changed=[edited])
     return [edited]
 
 

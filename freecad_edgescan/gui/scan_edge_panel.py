@@ -11,35 +11,31 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any
 
-import FreeCADGui
-
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.document.scan_inputs import ScanInputs, input_hash, read_inputs
 from freecad_edgescan.scanning import Gate, ScanError, Start, Stop
 
-from .background import Background
 from .clicked_cloud import Picked, visible_clouds
-from .closing import ClosingWatch
 from .document_watch import DocumentWatch
 from .live_edge import LiveEdge
 from .panel_clouds import PanelClouds
 from .picked_places import PickedPlaces
 from .picking import Array
-from .qt import QtCore, QtWidgets, as_int
 from .scan_commit import commit_scan
 from .scan_display import ScanDisplay
 from .scan_edge_form import ScanEdgeForm
 from .scan_job import Found, ScanJob
 from .shown import select_only
 from .translation import translate
-from .view_clicks import ViewClicks, is_open
+from .view_clicks import ViewClicks
+from .view_panel import ViewPanel, single_shot
 
 __all__ = ["ScanEdgePanel"]
 
 _HOVER = 30  # ms between two looks at what is under the mouse
 
 
-class ScanEdgePanel(QtCore.QObject):
+class ScanEdgePanel(ViewPanel):
     """Task panel; ``FreeCADGui.Control.showDialog`` shows it.
 
     Parameters
@@ -59,37 +55,28 @@ class ScanEdgePanel(QtCore.QObject):
     """
 
     def __init__(self, doc: Any, view: Any, edited: Any = None) -> None:
-        super().__init__()
         if edited is not None and edited.Cloud is None:
             input_hash(edited)  # says what to do
+        title = translate("Scan edge") if edited is None else translate("Edit scanned edge")
+        super().__init__(view, ScanEdgeForm(title))
         self._doc = doc
-        self._view = view
         self._edited = edited
-        self._open = True
-        self.buttons: Any = None
         self._places = PickedPlaces()
         self._cloud: tuple[Any, PointCloud] | None = None
         self._at: Array | Start | None = None
         self._gate: Array | Gate | None = None
         self._min_angle: float | None = None
-        self._work: Background | None = None
         self._found: Found | None = None
         self._waiting: tuple[int, int] | None = None  # a click that came before the index
         self._mouse: tuple[int, int] | None = None
-        title = translate("Scan edge") if edited is None else translate("Edit scanned edge")
-        # FreeCAD takes away what it finds as ``form``, and the form itself, when it is done.
-        self.form = self._form = ScanEdgeForm(title)
-        self._form.destroyed.connect(self.close)
         self._connect()
         self._display = ScanDisplay(view)
         self._clouds = PanelClouds(doc, view)
         self._clouds.indexed.connect(self._answer_waiting)
-        self._clicks = ViewClicks(view, self._click, self._escape, self._hover)
+        self._clicks = ViewClicks(view, self._click, self.leave_soon, self._hover)
         self._document_watch = DocumentWatch(
-            doc, self._object_changed, self._object_deleted, self._refresh_soon, self._vanish
+            doc, self._object_changed, self._object_deleted, self._refresh_soon, self.vanish
         )
-        self._closing = ClosingWatch(self._close_if_left)
-        self._closing.watch_active_view()
         self._show_clouds()
         if edited is None:
             self._say_what_to_click()
@@ -104,23 +91,14 @@ class ScanEdgePanel(QtCore.QObject):
         form.view.changed.connect(self._change_view)
         form.view.look_along.connect(self._look_along)
         form.evidence.chosen.connect(self._show_section)
-        self._refresh_timer = _single_shot(self, 0, self._refresh)
-        self._hover_timer = _single_shot(self, _HOVER, self._follow_mouse)
-        self._escape_timer = _single_shot(self, 0, self._cancel)
-        self._shown_timer = _single_shot(self, 0, self._watch_dock)
+        self._refresh_timer = single_shot(self, 0, self._refresh)
+        self._hover_timer = single_shot(self, _HOVER, self._follow_mouse)
 
     # What FreeCAD calls.
 
-    def getStandardButtons(self) -> int:
-        """OK and Cancel."""
-        buttons = QtWidgets.QDialogButtonBox
-        return as_int(buttons.Ok | buttons.Cancel)
-
-    def modifyStandardButtons(self, box: Any) -> None:
-        """OK waits until there is an edge."""
-        self.buttons = box
-        self._allow_ok()
-        self._shown_timer.start()
+    def can_accept(self) -> bool:
+        """Whether there is an edge."""
+        return self._found is not None
 
     def accept(self) -> bool:
         """Make or change the edge in the document; the panel stays open when that fails."""
@@ -135,27 +113,14 @@ class ScanEdgePanel(QtCore.QObject):
         select_only(kept)
         return True
 
-    def reject(self) -> bool:
-        """Leave no trace."""
-        self.close()
-        return True
-
-    def close(self, *_: object) -> None:
-        """Take everything of the panel's out of the view, and let go of its threads."""
-        if self._open:
-            self._let_go(restore=True)
-
-    def _let_go(self, restore: bool) -> None:
-        self._open = False
-        self.buttons = None  # FreeCAD's own, which Python must not keep longer than FreeCAD
-        timers = (self._refresh_timer, self._hover_timer, self._escape_timer, self._shown_timer)
-        for timer in timers:
-            timer.stop()
+    def let_go(self, restore: bool) -> None:
+        """Take everything of the panel's out of the view, end its threads and observers."""
+        super().let_go(restore)
+        self._refresh_timer.stop()
+        self._hover_timer.stop()
         with suppress(RuntimeError):  # the form may be gone
             self._form.parameters.stop_waiting()
         self._document_watch.end()
-        self._closing.end()
-        self._end_work()
         self._clouds.close()
         self._clicks.close()
         self._display.close(restore)
@@ -222,16 +187,7 @@ class ScanEdgePanel(QtCore.QObject):
             if number is not None:
                 self._form.evidence.show_number(number)
 
-    def _escape(self) -> None:
-        # The view is still handling the key: the panel goes when it is done.
-        self._escape_timer.start()
-
-    def _cancel(self) -> None:
-        if self._open:
-            self.reject()
-            FreeCADGui.Control.closeDialog()
-
-    # The scan; all that it reports arrives in the main thread.
+    # The scan.
 
     def _scan(self) -> None:
         assert self._at is not None and self._cloud is not None
@@ -245,27 +201,16 @@ class ScanEdgePanel(QtCore.QObject):
         inputs = ScanInputs(self._at, self._gate, given, method, self._min_angle)
         self._form.say(translate("The edge is being followed."))
         self._form.show_progress(True)
-        work = Background(ScanJob(self._cloud[1], inputs), LiveEdge.of_walk)
-        work.advanced.connect(self._show_so_far)
-        work.succeeded.connect(self._show_found)
-        work.failed.connect(self._show_failure)
-        self._work = work
-        work.begin()
+        self.begin_work(ScanJob(self._cloud[1], inputs), LiveEdge.of_walk)
 
-    def _show_so_far(self) -> None:
-        if self._work is None or self.sender() is not self._work:
-            return
-        report = self._work.take()
-        if report is not None:
-            _, edge = report
-            self._form.progress_to(edge.points)
-            self._display.show_growing(edge)
+    def show_report(self, digest: LiveEdge) -> None:
+        """The edge has grown."""
+        self._form.progress_to(digest.points)
+        self._display.show_growing(digest)
 
-    def _show_found(self, found: Found) -> None:
-        if self._work is None or self.sender() is not self._work:
-            return
-        self._work = None
-        self._found = found
+    def show_result(self, result: Found) -> None:
+        """The edge is finished."""
+        self._found = found = result
         self._at, self._gate = found.inputs.at, found.inputs.gate
         self._display.show_found(found.edge, found.drawn)
         self._form.show_progress(False)
@@ -276,12 +221,10 @@ class ScanEdgePanel(QtCore.QObject):
             self._form.say(translate("Kept as far as it was scanned: a gate ends it there now."))
         else:
             self._say_what_to_click()
-        self._allow_ok()
+        self.allow_ok()
 
-    def _show_failure(self, sentence: str) -> None:
-        if self._work is None or self.sender() is not self._work:
-            return
-        self._work = None
+    def show_failure(self, sentence: str) -> None:
+        """There is no edge; say why."""
         self._display.show_no_edge()
         self._form.show_progress(False)
         if self._places.points and len(self._places.points) == self._places.way.clicks:
@@ -289,17 +232,12 @@ class ScanEdgePanel(QtCore.QObject):
         self._form.say(sentence)
 
     def _forget_edge(self) -> None:
-        self._end_work()
+        self.end_work()
         self._found = None
         self._display.show_no_edge()
         self._form.show_progress(False)
         self._form.show_edge(None)
-        self._allow_ok()
-
-    def _end_work(self) -> None:
-        if self._work is not None:
-            self._work.abandon()
-            self._work = None
+        self.allow_ok()
 
     # What happens to the document meanwhile.
 
@@ -314,7 +252,7 @@ class ScanEdgePanel(QtCore.QObject):
             return
         if self._edited is not None and name == self._edited.Name:
             self._edited = None
-            self._escape_timer.start()
+            self.leave_soon()
         elif self._clouds.deleted(name):
             if self._cloud is not None and name == self._cloud[0].Name:
                 self._lose_cloud(
@@ -338,17 +276,6 @@ class ScanEdgePanel(QtCore.QObject):
         if self._open:
             self._clouds.prepare()
             self._show_clouds()
-
-    def _vanish(self) -> None:
-        """The document is being closed under the panel."""
-        if self._open:
-            self._let_go(restore=False)
-            QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
-
-    def _close_if_left(self) -> None:
-        """The panel's dock or its 3D view was told to close; the view may have refused."""
-        if self._open and (not is_open(self._view) or not self._form.isVisible()):
-            self._cancel()
 
     # Editing.
 
@@ -404,8 +331,8 @@ class ScanEdgePanel(QtCore.QObject):
             sentence = translate(
                 "Change what you like; OK keeps it. A click on the cloud scans another edge."
             )
-        elif self._view.getNavigationType() == "Gui::InventorNavigationStyle":
-            sentence = translate("Hold Ctrl for clicks.") + " " + sentence
+        else:
+            sentence = self.for_clicks(sentence)
         self._form.say(sentence)
 
     def _what_was_missed(self, position: tuple[int, int]) -> str:
@@ -419,21 +346,3 @@ class ScanEdgePanel(QtCore.QObject):
         if not visible_clouds(self._doc):
             return translate("No point cloud can be seen. Show one in the tree, then click on it.")
         return translate("There is no point of a visible cloud there. Click on one, near an edge.")
-
-    def _watch_dock(self) -> None:
-        if self._open:
-            self._closing.watch_dock_of(self._form)
-
-    def _allow_ok(self) -> None:
-        if self.buttons is not None:
-            ok = self.buttons.button(QtWidgets.QDialogButtonBox.Ok)
-            ok.setEnabled(self._found is not None)
-
-
-def _single_shot(parent: Any, milliseconds: int, answer: Any) -> Any:
-    """A timer that, once started, calls back once."""
-    timer = QtCore.QTimer(parent)
-    timer.setSingleShot(True)
-    timer.setInterval(milliseconds)
-    timer.timeout.connect(answer)
-    return timer

@@ -5,16 +5,28 @@ from __future__ import annotations
 
 from typing import Any
 
+from freecad_edgescan.document.declared_properties import Declared, declare
+
 from .colours import EDGE
 from .icons import icon_path
 
 __all__ = ["ViewProviderScannedEdge"]
 
 BY_SIGMA, SCAN_LINES = "ColourBySigma", "ShowScanLines"
-_PROPERTIES = {
-    BY_SIGMA: "Show each edge point in the colour of its sigma, from blue (well known) to yellow",
-    SCAN_LINES: "Show where across the edge each of its points was measured",
-}
+_PROPERTIES = (
+    Declared(
+        "Bool",
+        BY_SIGMA,
+        "EdgeScan",
+        "Show each edge point in the colour of its sigma, from blue (well known) to yellow",
+    ),
+    Declared(
+        "Bool",
+        SCAN_LINES,
+        "EdgeScan",
+        "Show where across the edge each of its points was measured",
+    ),
+)
 _NO_CHILD = -1  # of a switch: nothing is drawn
 # What is drawn depends on these properties of the edge.
 _DRAWN = ("Points", "Sigma", "FirstNormals", "SecondNormals", "AmplitudeUsed")
@@ -38,7 +50,7 @@ class ViewProviderScannedEdge:
         self.object = view_object.Object
         self._overlay: Any = None
         self._aside: int | None = None  # what was on the screen while it is not
-        _declare(view_object)
+        declare(view_object, _PROPERTIES)
 
     def getIcon(self) -> str:
         """Icon in the tree."""
@@ -59,7 +71,7 @@ class ViewProviderScannedEdge:
 
     def onChanged(self, view_object: Any, name: str) -> None:
         """Draw what is wanted now."""
-        if name in (*_PROPERTIES, "Visibility", "Proxy"):
+        if name in (BY_SIGMA, SCAN_LINES, "Visibility", "Proxy"):
             self._draw(view_object)
 
     def updateData(self, obj: Any, name: str) -> None:
@@ -91,7 +103,7 @@ class ViewProviderScannedEdge:
 
     def _draw(self, view_object: Any) -> None:
         # FreeCAD calls this before all properties exist, too.
-        wanted = [name for name in _PROPERTIES if getattr(view_object, name, False)]
+        wanted = [name for name in (BY_SIGMA, SCAN_LINES) if getattr(view_object, name, False)]
         overlay = getattr(self, "_overlay", None)
         if overlay is None and not wanted:
             return
@@ -105,10 +117,3 @@ class ViewProviderScannedEdge:
             scan_lines=SCAN_LINES in wanted,
             visible=view_object.Visibility and self._aside is None,
         )
-
-
-def _declare(view_object: Any) -> None:
-    """Give a view object the properties it lacks."""
-    for name, tooltip in _PROPERTIES.items():
-        if not hasattr(view_object, name):
-            view_object.addProperty("App::PropertyBool", name, "EdgeScan", tooltip)

@@ -79,7 +79,7 @@ class Window:
     def open_panel(self) -> None:
         """Start the command Scan edge, and wait until a click is answered at once."""
         Gui.runCommand("EdgeScan_ScanEdge")
-        self.settle(0.1)
+        self.settle()
         self.wait_until(lambda: self.panel._clouds.ready)
 
     def found(self) -> None:
@@ -98,18 +98,23 @@ class Window:
         # and hand it out again for a later widget at the same address.
         return self.panel.buttons.button(getattr(QtWidgets.QDialogButtonBox, name))
 
-    def settle(self, seconds: float = 0.05) -> None:
-        """Let the window handle what has come in."""
-        self.wait_until(lambda: False, seconds, must=False)
+    def settle(self) -> None:
+        """Let the window handle what has come in, and what follows from that at once."""
+        for _ in range(3):
+            handled: list[bool] = []
+            QtCore.QTimer.singleShot(0, lambda seen=handled: seen.append(True))
+            self.wait_until(lambda seen=handled: bool(seen))
 
-    def wait_until(
-        self, condition: Callable[[], bool], seconds: float = 60.0, must: bool = True
-    ) -> None:
+    def pass_time(self, seconds: float) -> None:
+        """Let the window do what it does after a while."""
+        end = time.monotonic() + seconds
+        self.wait_until(lambda: time.monotonic() > end)
+
+    def wait_until(self, condition: Callable[[], bool], seconds: float = 60.0) -> None:
+        """Let the window do what it does until something is so."""
         end = time.monotonic() + seconds
         while not condition():
-            if time.monotonic() > end:
-                assert not must, "the window did not get there in time"
-                return
+            assert time.monotonic() < end, "the window did not get there in time"
             QtWidgets.QApplication.processEvents(QtCore.QEventLoop.AllEvents, 20)
             time.sleep(0.002)
 
@@ -133,7 +138,7 @@ class Window:
         ):
             event = QtGui.QMouseEvent(kind, place, button, held, keys)
             QtWidgets.QApplication.sendEvent(self.viewport, event)
-            self.settle(0.02)
+            self.settle()
 
     def click(self, point: tuple[float, float, float]) -> None:
         """Click where a point is seen."""
@@ -147,14 +152,23 @@ class Window:
         none = QtCore.Qt.NoButton
         event = QtGui.QMouseEvent(QtCore.QEvent.MouseMove, place, none, none, QtCore.Qt.NoModifier)
         QtWidgets.QApplication.sendEvent(self.viewport, event)
-        self.settle(0.1)
+        self.pass_time(0.1)  # the panel looks what is under the mouse only so often
 
     def press_escape(self) -> None:
         """Press Esc over the 3D view."""
         for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
             event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Escape, QtCore.Qt.NoModifier)
             QtWidgets.QApplication.sendEvent(self.viewport, event)
-            self.settle(0.02)
+            self.settle()
+
+    def close_dock(self) -> None:
+        """Press the cross of the dock the panel is in; another panel may come into it later."""
+        self.settle()
+        dock = self.panel.form
+        while not isinstance(dock, QtWidgets.QDockWidget):
+            dock = dock.parentWidget()
+        dock.close()
+        QtCore.QTimer.singleShot(500, dock.show)
 
     @property
     def threads(self) -> int:
@@ -179,7 +193,7 @@ class Window:
         """Keep a picture of the whole window, when a folder for pictures is named."""
         folder = os.environ.get("EDGESCAN_PICTURES")
         if folder:
-            self.settle(0.3)
+            self.pass_time(0.3)
             Path(folder).mkdir(parents=True, exist_ok=True)
             screen = QtWidgets.QApplication.primaryScreen()
             screen.grabWindow(0).save(str(Path(folder) / f"{name}.png"))
@@ -206,35 +220,41 @@ def problems(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 @pytest.fixture
 def panels(monkeypatch: pytest.MonkeyPatch) -> list[Any]:
     """Weak references to the panels that are opened."""
-    from freecad_edgescan.gui.scan_edge_panel import ScanEdgePanel
+    from freecad_edgescan.gui.view_panel import ViewPanel
 
     opened: list[Any] = []
-    begin = ScanEdgePanel.__init__
+    begin = ViewPanel.__init__
 
     def note(panel: Any, *given: Any) -> None:
         begin(panel, *given)
         opened.append(weakref.ref(panel))
 
-    monkeypatch.setattr(ScanEdgePanel, "__init__", note)
+    monkeypatch.setattr(ViewPanel, "__init__", note)
     return opened
 
 
+@pytest.fixture(scope="session")
+def roof_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The roof's points."""
+    path = tmp_path_factory.mktemp("roof") / "roof.xyz"
+    np.savetxt(path, roof())
+    return path
+
+
 @pytest.fixture
-def window(workbench: Any, panels: list[Any], tmp_path: Path) -> Iterator[Window]:
+def window(workbench: Any, panels: list[Any], roof_file: Path) -> Iterator[Window]:
     """A document that shows the roof from above, slantwise."""
     from freecad_edgescan import document
 
     doc = FreeCAD.newDocument("Roof")
-    path = tmp_path / "roof.xyz"
-    np.savetxt(path, roof())
-    document.make_cloud(doc, str(path))
+    document.make_cloud(doc, str(roof_file))
     doc.recompute()
     name = doc.Name
     window = Window(doc, panels)
     window.view.setAnimationEnabled(False)
     window.view.viewIsometric()
     window.view.fitAll()
-    window.settle(0.2)
+    window.settle()
     yield window
     if window.panels and window.panel is not None:
         window.panel.close()

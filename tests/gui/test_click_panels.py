@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -14,77 +13,48 @@ FreeCAD = pytest.importorskip("FreeCAD")
 Gui = pytest.importorskip("FreeCADGui")
 Part = pytest.importorskip("Part")
 
+from freecad_edgescan import document  # noqa: E402
+
+from .conftest import roof  # noqa: E402
+
 ON_THE_RIDGE = (0.0, 2.0, 5.0)
 
 
-@pytest.fixture
-def panel(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[Any]]:
-    """The panels that are opened, weakly."""
-    import weakref
-
-    from freecad_edgescan.gui.click_panel import ClickPanel
-
-    opened: list[Any] = []
-    begin = ClickPanel.__init__
-
-    def note(self: Any, *given: Any) -> None:
-        begin(self, *given)
-        opened.append(weakref.ref(self))
-
-    monkeypatch.setattr(ClickPanel, "__init__", note)
-    yield opened
-
-
-def ok(panel: Any) -> Any:
-    from freecad_edgescan.gui.qt import QtWidgets
-
-    return panel.buttons.button(QtWidgets.QDialogButtonBox.Ok)
-
-
-def cancel(panel: Any) -> Any:
-    from freecad_edgescan.gui.qt import QtWidgets
-
-    return panel.buttons.button(QtWidgets.QDialogButtonBox.Cancel)
-
-
-def opened(window: Any, name: str, panels: list[Any]) -> Any:
+def opened(window: Any, name: str) -> Any:
     Gui.runCommand(name)
-    window.settle(0.2)
-    return panels[-1]()
+    window.settle()
+    return window.panel
 
 
 @pytest.fixture
 def block(window: Any) -> Any:
     """A scanned block in place of the roof."""
-    from freecad_edgescan import document
-
-    roof = window.doc.findObjects("Points::Feature")[0]
-    window.doc.removeObject(roof.Name)
+    window.doc.removeObject(window.cloud.Name)
     numbers = document.simulate_cloud(Part.makeBox(20, 16, 12), pitch=0.4, noise=0.01)
     document.make_cloud(window.doc, numbers)
     window.doc.recompute()
     window.view.fitAll()
-    window.settle(0.3)
+    window.settle()
     return window
 
 
 def test_two_clicks_give_the_boundary_of_a_face_in_one_undo_step(
-    block: Any, panel: list[Any], monkeypatch: pytest.MonkeyPatch
+    block: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     lines: list[str] = []
     run = Gui.doCommand
     monkeypatch.setattr(Gui, "doCommand", lambda line: (lines.append(line), run(line)))
     steps = block.doc.UndoCount
-    shown = opened(block, "EdgeScan_ScanBoundary", panel)
-    assert not ok(shown).isEnabled()
+    shown = opened(block, "EdgeScan_ScanBoundary")
+    assert not block.button("Ok").isEnabled()
     block.click((10.0, 0.2, 12.0))
     assert "2 of 2" in shown.form.sentence
     block.click((10.0, 8.0, 12.0))
-    block.wait_until(lambda: ok(shown).isEnabled())
+    block.wait_until(lambda: block.button("Ok").isEnabled())
     assert "4 edges" in shown.form.text
     assert "closed" in shown.form.text
     block.picture("scan_boundary")
-    ok(shown).click()
+    block.button("Ok").click()
     block.settle()
     (boundary,) = Gui.Selection.getSelection()
     assert boundary.EdgeCount == 4
@@ -97,13 +67,13 @@ def test_two_clicks_give_the_boundary_of_a_face_in_one_undo_step(
     assert block.doc.getObject(name).Shape.exportBrepToString() == brep
 
 
-def test_parameters_are_recommended_and_ok_scans_with_them(window: Any, panel: list[Any]) -> None:
-    shown = opened(window, "EdgeScan_RecommendParameters", panel)
+def test_parameters_are_recommended_and_ok_scans_with_them(window: Any) -> None:
+    shown = opened(window, "EdgeScan_RecommendParameters")
     window.click(ON_THE_RIDGE)
-    window.wait_until(lambda: ok(shown).isEnabled())
+    window.wait_until(lambda: window.button("Ok").isEnabled())
     assert "Error to expect" in shown.form.text
     window.picture("recommend")
-    ok(shown).click()
+    window.button("Ok").click()
     window.settle()
     (edge,) = window.edges
     assert edge.Method == "probe"
@@ -112,20 +82,20 @@ def test_parameters_are_recommended_and_ok_scans_with_them(window: Any, panel: l
 
 
 @pytest.mark.parametrize("name", ["EdgeScan_ScanBoundary", "EdgeScan_RecommendParameters"])
-def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str, panel: list[Any]) -> None:
+def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str) -> None:
     from freecad_edgescan.gui import background
 
     before, threads = window.trace(), window.threads
-    shown = opened(window, name, panel)
+    shown = opened(window, name)
     window.click_pixel(3, 3)
     assert "no point" in shown.form.sentence
     window.click(ON_THE_RIDGE)
     window.press_escape()
     window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.trace() == before
-    shown = opened(window, name, panel)
+    shown = opened(window, name)
     window.click(ON_THE_RIDGE)
-    cancel(shown).click()
+    window.button("Cancel").click()
     window.wait_until(lambda: not Gui.Control.activeDialog())
     assert window.trace() == before
     window.wait_until(lambda: background.running() == 0)
@@ -133,21 +103,44 @@ def test_escape_cancel_and_a_miss_leave_no_trace(window: Any, name: str, panel: 
     del shown
     window.settle()
     gc.collect()
-    assert [alive() for alive in panel] == [None, None]
+    assert [alive() for alive in window.panels] == [None, None]
 
 
-def test_a_place_without_an_edge_is_said_and_asked_for_again(window: Any, panel: list[Any]) -> None:
-    shown = opened(window, "EdgeScan_RecommendParameters", panel)
+@pytest.mark.parametrize("clicked", [False, True])
+def test_the_cross_of_the_dock_ends_the_panel(window: Any, clicked: bool) -> None:
+    before = window.trace()
+    opened(window, "EdgeScan_ScanBoundary")
+    if clicked:
+        window.click(ON_THE_RIDGE)
+    window.close_dock()
+    window.wait_until(lambda: not Gui.Control.activeDialog())
+    assert window.trace() == before
+    window.pass_time(0.6)  # until the dock is back
+
+
+def test_a_cloud_that_is_shown_later_can_be_clicked(window: Any) -> None:
+    window.cloud.ViewObject.Visibility = False
+    second = document.make_cloud(window.doc, roof() + np.array([0.0, 40.0, 0.0]))
+    window.doc.recompute()
+    window.view.fitAll()
+    shown = opened(window, "EdgeScan_ScanBoundary")
+    window.cloud.ViewObject.Visibility = True
+    window.settle()
+    window.click(ON_THE_RIDGE)
+    assert shown.cloud is window.cloud
+    assert shown.cloud is not second
+
+
+def test_a_place_without_an_edge_is_said_and_asked_for_again(window: Any) -> None:
+    shown = opened(window, "EdgeScan_RecommendParameters")
     window.click((6.0, 0.0, 5.0 - 0.8 * 6.0))
     window.wait_until(lambda: "edge" in shown.form.sentence and not shown.places)
-    assert not ok(shown).isEnabled()
+    assert not window.button("Ok").isEnabled()
     assert "Click on the cloud" in shown.form.sentence
 
 
-def test_a_document_closed_or_a_cloud_deleted_under_the_panel(
-    window: Any, panel: list[Any]
-) -> None:
-    shown = opened(window, "EdgeScan_ScanBoundary", panel)
+def test_a_document_closed_or_a_cloud_deleted_under_the_panel(window: Any) -> None:
+    shown = opened(window, "EdgeScan_ScanBoundary")
     window.click(ON_THE_RIDGE)
     window.doc.removeObject(window.doc.findObjects("Points::Feature")[0].Name)
     window.settle()

@@ -73,7 +73,7 @@ def test_an_imported_cloud_is_seen_as_a_whole(
     np.savetxt(tmp_path / "far.xyz", 50 + 300 * np.random.default_rng(1).random((50, 3)))
     answer_file_dialog(tmp_path / "far.xyz")
     Gui.runCommand("EdgeScan_ImportCloud")
-    window.settle(0.3)
+    window.pass_time(0.3)
     width, height = window.view.getSize()
     for corner in ((50.0, 50.0, 50.0), (350.0, 350.0, 350.0)):
         x, y = window.pixel_of(corner)

@@ -64,7 +64,7 @@ def test_every_command_on_every_wrong_selection_answers_and_leaves_nothing(
             problems.clear()
             steps = doc.UndoCount
             Gui.runCommand(name)
-            window.settle(0.02)
+            window.settle()
             if name in OPEN_A_PANEL:
                 assert Gui.Control.activeDialog()
                 window.press_escape()

@@ -126,7 +126,7 @@ def test_try_it_leads_from_the_core_box_to_its_first_edge_and_leaves_nothing(
 
     Gui.runCommand("EdgeScan_TryIt")
     window = Window(FreeCAD.ActiveDocument, panels)
-    window.settle(0.3)
+    window.settle()
     (guide,) = guides()
     window.picture("try_it_1")
     assert "Scan edge" in guide.sentence
@@ -155,7 +155,7 @@ def test_the_guide_goes_away_when_it_is_closed(workbench: Any, panels: list[Any]
     first = FreeCAD.ActiveDocument.Name
     Gui.runCommand("EdgeScan_TryIt")
     window = Window(FreeCAD.ActiveDocument, panels)
-    window.settle(0.3)
+    window.settle()
     (guide,) = guides()
     guide.finish.click()
     window.wait_until(lambda: not guides())

@@ -37,12 +37,12 @@ def test_the_panel_says_what_to_do(window: Any) -> None:
 def test_one_click_and_ok_make_one_edge_on_the_ridge(window: Any, camera: str) -> None:
     window.view.setCameraType(camera)
     window.view.fitAll()
-    window.settle(0.2)
+    window.settle()
     undo_steps = window.doc.UndoCount
     scanned(window)
     window.picture(f"scan_edge_found_{camera.lower()}")
     window.button("Ok").click()
-    window.settle(0.2)
+    window.settle()
     window.picture(f"scan_edge_made_{camera.lower()}")
     assert not Gui.Control.activeDialog()
     (edge,) = window.edges
@@ -105,7 +105,7 @@ def test_clicking_as_the_panel_says_works_in_every_navigation_style(window: Any)
         window.view.setNavigationType(style)
         window.open_panel()
         window.click_pixel(3, 3, ctrl="Ctrl" in window.sentence)
-        window.settle(0.3)
+        window.pass_time(0.3)
         if "no point" not in window.sentence:
             deaf.append(style)
         window.button("Cancel").click()

@@ -157,7 +157,7 @@ def test_a_cloud_hidden_or_shown_meanwhile_is_followed(window: Any) -> None:
     window.click(ON_THE_RIDGE)
     window.found()
     window.cloud.ViewObject.Visibility = False
-    window.settle(0.2)
+    window.settle()
     window.button("Cancel").click()
     window.settle()
     assert window.cloud.ViewObject.SwitchNode.whichChild.getValue() == -1

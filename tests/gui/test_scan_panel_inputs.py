@@ -51,7 +51,7 @@ def test_a_second_click_is_a_gate_when_that_is_chosen(window: Any) -> None:
 def test_three_clicks_are_a_start_and_two_more_a_gate(window: Any) -> None:
     window.view.viewTop()
     window.view.fitAll()
-    window.settle(0.2)
+    window.settle()
     window.open_panel()
     window.panel.form.choose_way(Way.START_AND_GATE)
     for number, place in enumerate([(4.0, -8.0), (-4.0, -8.0), (4.0, -4.0)], start=1):
@@ -146,10 +146,10 @@ def test_stop_here_keeps_what_is_there_and_can_be_had_again(
     from freecad_edgescan.gui.background import Background
     from freecad_edgescan.gui.scan_edge_panel import ScanEdgePanel
 
-    show, update, stopped = ScanEdgePanel._show_so_far, Background.update, threading.Event()
+    show, update, stopped = ScanEdgePanel.show_report, Background.update, threading.Event()
 
-    def show_and_stop(panel: Any) -> None:
-        show(panel)
+    def show_and_stop(panel: Any, edge: Any) -> None:
+        show(panel, edge)
         panel.form.stop.click()
         stopped.set()
 
@@ -158,7 +158,7 @@ def test_stop_here_keeps_what_is_there_and_can_be_had_again(
         stopped.wait(10.0)  # the walk is quicker than a hand
         return bool(update(work, fraction, so_far))
 
-    monkeypatch.setattr(ScanEdgePanel, "_show_so_far", show_and_stop)
+    monkeypatch.setattr(ScanEdgePanel, "show_report", show_and_stop)
     monkeypatch.setattr(Background, "update", report_and_wait)
     window.open_panel()
     window.click(on_the_roof(0.3, 0.0))
@@ -172,6 +172,21 @@ def test_stop_here_keeps_what_is_there_and_can_be_had_again(
     edge.touch()
     window.doc.recompute()
     assert [tuple(point) for point in edge.Points] == points
+
+
+def test_opening_the_panel_is_no_change_of_parameters(
+    window: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    begun: list[Any] = []
+    run = ScanJob.__call__
+    monkeypatch.setattr(
+        ScanJob, "__call__", lambda job, progress: begun.append(job) or run(job, progress)
+    )
+    window.open_panel()
+    window.click(on_the_roof(0.3, 0.0))
+    window.found()
+    window.pass_time(0.6)  # longer than a change of a parameter waits for the next one
+    assert len(begun) == 1
 
 
 class StopsAfter:

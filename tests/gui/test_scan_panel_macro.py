@@ -79,7 +79,7 @@ def test_a_macro_replays_without_a_window_bit_for_bit(
     window.doc.saveAs(str(path))
     window.view.viewTop()
     window.view.fitAll()
-    window.settle(0.2)
+    window.settle()
     lines: list[str] = []
     run = Gui.doCommand
     monkeypatch.setattr(Gui, "doCommand", lambda line: (lines.append(line), run(line)))

@@ -36,7 +36,7 @@ def large(workbench: Any, panels: list[Any]) -> Any:
     window.view.setAnimationEnabled(False)
     window.view.viewIsometric()
     window.view.fitAll()
-    window.settle(0.5)
+    window.pass_time(0.5)
     yield window
     if window.panel is not None:
         window.panel.close()
@@ -50,7 +50,7 @@ def redraw(window: Any, times: int = 5) -> float:
     """Seconds that one redraw of the view takes, the median of some."""
     took = []
     for _ in range(times):
-        window.settle(0.05)
+        window.pass_time(0.05)
         began = time.perf_counter()
         window.viewport.repaint()
         took.append(time.perf_counter() - began)

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -105,12 +104,7 @@ def by_cancel(window: Any) -> None:
 
 
 def by_the_cross(window: Any) -> None:
-    window.settle()
-    dock = window.panel.form
-    while not isinstance(dock, QtWidgets.QDockWidget):
-        dock = dock.parentWidget()
-    dock.close()
-    QtCore.QTimer.singleShot(500, dock.show)
+    window.close_dock()
 
 
 def by_freecad(window: Any) -> None:
@@ -140,15 +134,16 @@ def test_no_way_out_at_any_moment_leaves_a_trace(
     way_out: Callable[[Any], None],
 ) -> None:
     before = window.trace()
-    threads = threading.active_count()
+    threads = window.threads
     moment(window)
     assert observers and callbacks
     way_out(window)
     window.wait_until(lambda: not Gui.Control.activeDialog(), 20)
     window.wait_until(lambda: window.trace() == before and running() == 0, 20)
-    window.settle(0.6 if way_out is by_the_cross else 0.0)
+    if way_out is by_the_cross:
+        window.pass_time(0.6)  # until the dock is back
     assert not observers and not callbacks
-    assert threading.active_count() <= threads
+    assert window.threads <= threads
     scene = window.view.getSceneGraph()
     assert not any(scene.getByName(name) for name in PREVIEWS)
 
@@ -165,7 +160,7 @@ def test_a_view_that_stays_open_after_all_keeps_the_panel(window: Any) -> None:
     with_an_edge(window)
     answer_question(QtWidgets.QMessageBox.Cancel)
     Gui.getMainWindow().centralWidget().currentSubWindow().close()
-    window.settle(0.2)
+    window.settle()
     assert Gui.Control.activeDialog()
     window.ok()
     assert len(window.edges) == 1
@@ -186,7 +181,7 @@ def test_looking_at_an_edge_does_not_change_the_document(window: Any, tmp_path: 
     assert not Gui.getDocument(window.doc.Name).Modified
     with_an_edge(window)
     by_cancel(window)
-    window.settle(0.1)
+    window.settle()
     assert not Gui.getDocument(window.doc.Name).Modified
 
 
@@ -210,7 +205,7 @@ def test_a_cloud_may_be_deleted_at_any_moment_and_its_deletion_undone(
     window.doc.openTransaction("Delete")
     window.doc.removeObject(window.cloud.Name)
     window.doc.commitTransaction()
-    window.settle(0.1)
+    window.settle()
     assert "deleted" in window.sentence
     assert not window.button("Ok").isEnabled()
     window.doc.undo()
@@ -225,11 +220,11 @@ def test_a_cloud_may_be_deleted_at_any_moment_and_its_deletion_undone(
 def test_a_cloud_that_is_moved_under_the_panel_is_to_be_clicked_again(window: Any) -> None:
     with_an_edge(window)
     window.cloud.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation())
-    window.settle(0.1)
+    window.settle()
     assert "has changed" in window.sentence
     assert not window.button("Ok").isEnabled()
     window.view.fitAll()
-    window.settle(0.2)
+    window.settle()
     window.wait_until(lambda: window.panel._clouds.ready)
     window.click((0.3, 2.0, 12.0))
     window.found()
@@ -243,7 +238,7 @@ def test_a_part_that_is_moved_takes_its_cloud_along(window: Any) -> None:
     window.doc.recompute()
     with_an_edge(window)
     part.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation())
-    window.settle(0.1)
+    window.settle()
     assert "has changed" in window.sentence
     assert not window.button("Ok").isEnabled()
 
@@ -251,7 +246,7 @@ def test_a_part_that_is_moved_takes_its_cloud_along(window: Any) -> None:
 def test_another_document_may_be_worked_in_meanwhile(window: Any) -> None:
     with_an_edge(window)
     other = FreeCAD.newDocument("Other")
-    window.settle(0.2)
+    window.settle()
     other.addObject("Part::Box", "Box")
     other.recompute()
     window.panel.buttons.button(QtWidgets.QDialogButtonBox.Ok).click()
@@ -266,10 +261,10 @@ def test_another_document_may_be_closed_meanwhile(window: Any) -> None:
     document.make_cloud(other, roof() + 100.0)
     area = Gui.getMainWindow().centralWidget()
     area.setActiveSubWindow(area.subWindowList()[0])
-    window.settle(0.3)
+    window.settle()
     with_an_edge(window)
     FreeCAD.closeDocument(other.Name)
-    window.settle(0.2)
+    window.settle()
     assert Gui.Control.activeDialog()
     window.ok()
     assert len(window.edges) == 1
@@ -280,7 +275,7 @@ def test_a_click_on_another_object_is_answered_by_its_name(window: Any) -> None:
     box.Placement.Base = FreeCAD.Vector(30, 0, 0)
     window.doc.recompute()
     window.view.fitAll()
-    window.settle(0.2)
+    window.settle()
     window.open_panel()
     window.click((35.0, 5.0, 10.0))
     assert "That is Box" in window.sentence
@@ -290,7 +285,7 @@ def test_of_two_clouds_the_one_clicked_on_is_scanned(window: Any) -> None:
     second = document.make_cloud(window.doc, roof() + np.array([0.0, 40.0, 0.0]))
     window.doc.recompute()
     window.view.fitAll()
-    window.settle(0.2)
+    window.settle()
     with_an_edge(window)
     window.click((0.3, 42.0, 5.0))
     window.wait_until(lambda: "being followed" not in window.sentence)
@@ -302,7 +297,7 @@ def test_a_cloud_in_a_hidden_part_counts_as_hidden(window: Any, problems: list[s
     part = window.doc.addObject("App::Part", "Part")
     part.addObject(window.cloud)
     part.ViewObject.Visibility = False
-    window.settle(0.1)
+    window.settle()
     Gui.runCommand("EdgeScan_ScanEdge")
     assert not Gui.Control.activeDialog()
     assert "visible" in problems[0]
@@ -322,7 +317,7 @@ def edge(window: Any) -> Any:
 def edit(window: Any, edge: Any) -> None:
     """Double click on the edge in the tree."""
     edge.ViewObject.Proxy.doubleClicked(edge.ViewObject)
-    window.settle(0.1)
+    window.settle()
     window.found()
 
 
@@ -378,9 +373,9 @@ def test_an_edge_whose_cloud_is_gone_says_so(window: Any, edge: Any, problems: l
 def test_undo_and_redo_under_the_panel(window: Any, edge: Any) -> None:
     window.open_panel()
     window.doc.undo()
-    window.settle(0.1)
+    window.settle()
     window.doc.redo()
-    window.settle(0.1)
+    window.settle()
     window.click(ON_THE_RIDGE)
     window.found()
     window.ok()
@@ -396,7 +391,7 @@ def test_an_edge_can_be_edited_after_save_and_reopen(
     FreeCAD.closeDocument(edge.Document.Name)
     doc = FreeCAD.openDocument(path)
     window.doc, window.view = doc, Gui.getDocument(doc.Name).ActiveView
-    window.settle(0.3)
+    window.pass_time(0.3)
     again = doc.getObject(name)
     edit(window, again)
     assert np.allclose(window.panel._found.edge.points, points, atol=1e-9)

@@ -66,7 +66,7 @@ def test_an_edge_from_a_file_written_without_a_window_is_dressed_and_seen(
     assert again.ViewObject.Visibility
     assert again.Cloud.ViewObject.Visibility
     window.view = Gui.getDocument(doc.Name).ActiveView
-    window.settle(0.3)
+    window.pass_time(0.3)
     width, height = window.view.getSize()
     x, y = window.pixel_of((0.0, 15.0, 5.0))
     left, low = window.pixel_of((0.0, -15.0, 5.0))
