@@ -241,17 +241,54 @@ def roof_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return path
 
 
+@pytest.fixture(scope="module")
+def roof_document(workbench: Any) -> Iterator[Callable[[], Any]]:
+    """Gives an empty document; tests of a module share it and its 3D view, which is slow to make.
+
+    A test that saves it or closes it has it for itself.
+    """
+    name = "Roof"
+
+    def close() -> None:
+        if name in FreeCAD.listDocuments():
+            FreeCAD.closeDocument(name)
+
+    def empty() -> Any:
+        if name in FreeCAD.listDocuments():
+            doc = FreeCAD.getDocument(name)
+            if not doc.FileName:
+                while doc.Objects:  # one may take others along
+                    doc.removeObject(doc.Objects[0].Name)
+                doc.clearUndos()
+                return doc
+            close()
+        return FreeCAD.newDocument(name)
+
+    yield empty
+    close()
+
+
 @pytest.fixture
-def window(workbench: Any, panels: list[Any], roof_file: Path) -> Iterator[Window]:
+def no_document(workbench: Any) -> None:
+    """No document is open, as when FreeCAD has just started."""
+    for name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
+
+
+@pytest.fixture
+def window(
+    roof_document: Callable[[], Any], panels: list[Any], roof_file: Path
+) -> Iterator[Window]:
     """A document that shows the roof from above, slantwise."""
     from freecad_edgescan import document
 
-    doc = FreeCAD.newDocument("Roof")
+    doc = roof_document()
     document.make_cloud(doc, str(roof_file))
     doc.recompute()
-    name = doc.Name
+    doc.clearUndos()
     window = Window(doc, panels)
     window.view.setAnimationEnabled(False)
+    window.view.setCameraType("Orthographic")
     window.view.viewIsometric()
     window.view.fitAll()
     window.settle()
@@ -260,7 +297,5 @@ def window(workbench: Any, panels: list[Any], roof_file: Path) -> Iterator[Windo
         window.panel.close()
     if Gui.Control.activeDialog():
         Gui.Control.closeDialog()
-    window.settle()
-    if name in FreeCAD.listDocuments():
-        FreeCAD.closeDocument(name)
+    Gui.Selection.clearSelection()
     window.settle()

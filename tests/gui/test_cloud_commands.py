@@ -69,7 +69,7 @@ def test_a_selected_part_is_scanned_as_asked(window: Any, answer: Any) -> None:
     assert len(window.doc.findObjects("Points::Feature")) == 1
 
 
-def test_without_a_document_the_core_box_makes_one(workbench: Any, answer: Any) -> None:
+def test_without_a_document_the_core_box_makes_one(no_document: None, answer: Any) -> None:
     assert FreeCAD.ActiveDocument is None
     answer(0, 1.5)
     Gui.runCommand("EdgeScan_SimulatedCloud")

@@ -82,7 +82,7 @@ def test_an_imported_cloud_is_seen_as_a_whole(
 
 
 def test_import_without_a_document_makes_one(
-    workbench: Any, tmp_path: Path, answer_file_dialog: Any
+    no_document: None, tmp_path: Path, answer_file_dialog: Any
 ) -> None:
     assert FreeCAD.ActiveDocument is None
     np.savetxt(tmp_path / "a.xyz", np.random.default_rng(1).random((50, 3)))
@@ -107,7 +107,7 @@ def test_a_file_that_cannot_be_read_is_said_and_leaves_nothing_behind(
 
 
 def test_a_bad_file_without_a_document_leaves_no_document(
-    workbench: Any, tmp_path: Path, answer_file_dialog: Any, problems: list[str]
+    no_document: None, tmp_path: Path, answer_file_dialog: Any, problems: list[str]
 ) -> None:
     answer_file_dialog(tmp_path / "missing.xyz")
     Gui.runCommand("EdgeScan_ImportCloud")

@@ -24,6 +24,7 @@ with open({result!r}, "w") as file:
 END = "import os\nos._exit(0)\n"
 
 
+@pytest.mark.slow
 def test_an_import_a_scan_and_a_thinned_cloud_replay_in_freecadcmd(
     workbench: Any, panels: list[Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

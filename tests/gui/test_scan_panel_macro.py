@@ -68,6 +68,7 @@ def replayed(macro: Path, home: Path) -> None:
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("clicks", [one_click, start_gate_and_parameters, probed])
 def test_a_macro_replays_without_a_window_bit_for_bit(
     window: Any,

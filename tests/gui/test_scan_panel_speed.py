@@ -78,6 +78,7 @@ class Gaps:
         return max(self.gaps, default=0.0)
 
 
+@pytest.mark.slow
 def test_waiting_times_on_a_million_points(
     large: Any, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

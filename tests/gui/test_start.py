@@ -16,6 +16,8 @@ pytest.importorskip("FreeCADGui")
 
 import freecad_edgescan
 
+pytestmark = pytest.mark.slow
+
 SCRIPT = '''
 import json
 import os
