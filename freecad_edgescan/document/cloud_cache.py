@@ -43,7 +43,7 @@ def point_cloud(obj: Any) -> PointCloud:
     Raises
     ------
     ValueError: the object is no cloud.
-    ScanError: it is empty, or its probe cannot be.
+    ScanError: there is none, it is empty, or its probe cannot be.
     """
     return _up_to_date(obj)[1]
 
@@ -66,6 +66,8 @@ def forget_clouds(doc_name: str, name: str | None = None) -> None:
 
 
 def _up_to_date(obj: Any) -> tuple[str, PointCloud]:
+    if obj is None:
+        raise ScanError("The cloud is missing; choose one, or undo its deletion.")
     points = document_points_of(obj)
     if len(points) == 0:
         raise ScanError(

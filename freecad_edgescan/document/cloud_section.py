@@ -22,6 +22,7 @@ from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
+from .lengths import length_or_zero
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_curve import curve_shape, vector
 
@@ -94,11 +95,12 @@ def make_cloud_section(
         raise ValueError(f"There is no profile of the kind {kind!r}; choose {', '.join(KINDS)}.")
     if not 0.0 <= share <= 1.0:
         raise ValueError(f"The share of the rail is {share!r}; give a number from 0 to 1.")
+    reach, thickness = length_or_zero("reach", reach), length_or_zero("thickness", thickness)
     obj = doc.addObject("Part::FeaturePython", name)
     CloudSectionProxy(obj)
     obj.Cloud, obj.Rail, obj.Towards = cloud, rail, towards
     obj.Share, obj.Kind = float(share), str(kind)
-    obj.Reach, obj.Thickness = float(reach), float(thickness)
+    obj.Reach, obj.Thickness = reach, thickness
     return obj
 
 
@@ -109,8 +111,6 @@ class CloudSectionProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, rails, place, and what is fitted."""
-        if obj.Cloud is None or obj.Rail is None:
-            raise ValueError("The cloud or the rail is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield linked_curve(obj.Rail, "rail")
         yield None if obj.Towards is None else linked_curve(obj.Towards, "rail")

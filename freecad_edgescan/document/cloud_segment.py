@@ -14,6 +14,7 @@ from .cloud_cache import cloud_checksum
 from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
+from .lengths import positive_length
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .points_near_base import points_near_base
 
@@ -54,11 +55,10 @@ def make_cloud_segment(
     """
     require_cloud(cloud)
     require_shape("base surface", [base])
-    if not distance > 0.0:
-        raise ValueError(f"The distance is {distance} mm; give a positive length.")
+    distance = positive_length("distance", distance)
     obj = doc.addObject("Points::FeaturePython", name)
     CloudSegmentProxy(obj)
-    obj.Cloud, obj.Base, obj.Distance = cloud, base, float(distance)
+    obj.Cloud, obj.Base, obj.Distance = cloud, base, distance
     return obj
 
 
@@ -70,7 +70,7 @@ class CloudSegmentProxy(ComputedCloudProxy):
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, base surface and distance."""
         yield linked_surface(obj.Base, "base surface")
-        yield "" if obj.Cloud is None else cloud_checksum(obj.Cloud)
+        yield cloud_checksum(obj.Cloud)
         yield obj.Distance.Value
 
     def task(self, obj: Any) -> Task:

@@ -60,8 +60,6 @@ class CompensatedCloudProxy(ComputedCloudProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """The cloud with its probe."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose one, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
 
     def task(self, obj: Any) -> Task:

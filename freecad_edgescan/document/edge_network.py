@@ -19,6 +19,7 @@ from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .edge_network_shape import network_shape
+from .lengths import length_or_zero
 from .linked_geometry import require_cloud
 from .native_curve import vector
 
@@ -72,14 +73,13 @@ def make_edge_network(
     require_cloud(cloud)
     if not 0.0 < min_angle < np.pi:
         raise ValueError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
-    for what, value in (("length", min_length), ("sigma", max_sigma)):
-        if not 0.0 <= value < np.inf:
-            raise ValueError(f"The {what} is {value!r}; give 0 or a positive length in mm.")
+    min_length = length_or_zero("least length", min_length)
+    max_sigma = length_or_zero("largest sigma", max_sigma)
     obj = doc.addObject("Part::FeaturePython", name)
     EdgeNetworkProxy(obj)
     obj.Cloud = cloud
     obj.MinAngle = float(np.degrees(min_angle))
-    obj.MinLength, obj.MaxSigma = float(min_length), float(max_sigma)
+    obj.MinLength, obj.MaxSigma = min_length, max_sigma
     return obj
 
 
@@ -90,8 +90,6 @@ class EdgeNetworkProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """The cloud, and which edges are wanted."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield from (obj.MinAngle.Value, obj.MinLength.Value, obj.MaxSigma.Value)
 

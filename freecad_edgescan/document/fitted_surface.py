@@ -22,6 +22,7 @@ from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
 from .declared_properties import Declared
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
+from .lengths import length_or_zero, positive_length
 from .linked_geometry import linked_curve, linked_surface, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
@@ -105,12 +106,14 @@ def make_fitted_surface(
             f"{len(edges)} edges {'and a base surface ' if base is not None else ''}are given; "
             "give a base surface, or four edges round the surface, or none of both."
         )
+    distance = positive_length("distance", distance)
+    tolerance = length_or_zero("tolerance", tolerance or 0.0)
     obj = doc.addObject("Part::FeaturePython", name)
     FittedSurfaceProxy(obj)
-    obj.Cloud, obj.Base, obj.Edges, obj.Distance = cloud, base, edges, float(distance)
+    obj.Cloud, obj.Base, obj.Edges, obj.Distance = cloud, base, edges, distance
     obj.PolesU, obj.PolesV = (0, 0) if control_points is None else map(int, control_points)
     obj.DegreeU, obj.DegreeV = map(int, degree)
-    obj.Tolerance = float(tolerance or 0.0)
+    obj.Tolerance = tolerance
     return obj
 
 
@@ -123,7 +126,7 @@ class FittedSurfaceProxy(ComputedProxy):
         """Cloud, base surface, and the surface's form."""
         yield None if obj.Base is None else linked_surface(obj.Base, "base surface")
         yield from (linked_curve(edge, "edge") for edge in obj.Edges)
-        yield "" if obj.Cloud is None else cloud_checksum(obj.Cloud)
+        yield cloud_checksum(obj.Cloud)
         yield from (obj.Distance.Value, obj.Tolerance.Value)
         yield from (obj.PolesU, obj.PolesV, obj.DegreeU, obj.DegreeV)
 

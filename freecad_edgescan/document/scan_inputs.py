@@ -15,7 +15,14 @@ from ..scanning import Gate, ScanError, ScanParameters, Start
 from .cloud_cache import cloud_checksum
 from .scanned_edge_properties import AUTOMATIC, CHOICES, LENGTHS, METHODS, SCHEMA_VERSION
 
-__all__ = ["ScanInputs", "checked_inputs", "input_hash", "read_inputs", "write_inputs"]
+__all__ = [
+    "ScanInputs",
+    "checked_inputs",
+    "checked_point",
+    "input_hash",
+    "read_inputs",
+    "write_inputs",
+]
 
 Array = NDArray[np.float64]
 
@@ -47,8 +54,8 @@ def checked_inputs(
         known = ", ".join(repr(name) for name in METHODS)
         raise ScanError(f"The method is {method!r}; choose one of {known}.")
     return ScanInputs(
-        at if isinstance(at, Start) else _point("click", at),
-        gate if gate is None or isinstance(gate, Gate) else _point("gate", gate),
+        at if isinstance(at, Start) else checked_point("click", at),
+        gate if gate is None or isinstance(gate, Gate) else checked_point("gate", gate),
         parameters or ScanParameters(),
         method,
     )
@@ -158,7 +165,13 @@ def _as_a_file_keeps_it(value: Any) -> Any:
     return float(f"{value:.12g}") if isinstance(value, float) else value
 
 
-def _point(name: str, value: ArrayLike) -> Array:
+def checked_point(name: str, value: ArrayLike) -> Array:
+    """A point (3,) that a user gives; `name` says which.
+
+    Raises
+    ------
+    ScanError: no three finite numbers.
+    """
     try:
         point = np.array(value, dtype=float)
     except (TypeError, ValueError):

@@ -22,6 +22,7 @@ from .declared_properties import Declared, Role
 from .linked_geometry import require_cloud
 from .native_curve import vector
 from .native_edge import edge_shape
+from .scan_inputs import checked_point
 
 __all__ = [
     "ScannedBoundaryProxy",
@@ -74,10 +75,7 @@ def make_scanned_boundary(
     ValueError: no cloud, or places that are no three finite numbers.
     """
     require_cloud(cloud)
-    places = [np.asarray(place, dtype=float) for place in (at, inside)]
-    for what, place in zip(("place near the edge", "place inside"), places, strict=True):
-        if place.shape != (3,) or not np.isfinite(place).all():
-            raise ValueError(f"The {what} is {place.tolist()}; give three finite coordinates, mm.")
+    places = checked_point("place near the edge", at), checked_point("place inside", inside)
     obj = doc.addObject("Part::FeaturePython", name)
     ScannedBoundaryProxy(obj)
     obj.Cloud = cloud
@@ -92,8 +90,6 @@ class ScannedBoundaryProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud and places."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose one, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield np.array([obj.At, obj.Inside], dtype=float)
         yield obj.MinAngle.Value

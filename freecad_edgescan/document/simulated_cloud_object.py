@@ -14,7 +14,8 @@ from .cloud_object import make_cloud
 from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
-from .linked_geometry import require_shape, shape_inputs
+from .lengths import length_or_zero, positive_length
+from .linked_geometry import face_inputs, linked_faces, require_shape
 from .simulated_shape import simulate_cloud
 
 __all__ = ["SimulatedCloudProxy", "make_core_box", "make_simulated_cloud"]
@@ -64,15 +65,12 @@ def make_simulated_cloud(
     ValueError: no shape, a pitch that is not positive, or a negative noise or probe radius.
     """
     require_shape("part", [source])
-    if not pitch > 0.0:
-        raise ValueError(f"The pitch is {pitch} mm; give a positive length.")
-    for what, value in (("noise", noise), ("probe radius", probe_radius)):
-        if not value >= 0.0:
-            raise ValueError(f"The {what} is {value} mm; give 0 or a positive length.")
+    pitch, noise = positive_length("pitch", pitch), length_or_zero("noise", noise)
+    probe_radius = length_or_zero("probe radius", probe_radius)
     obj = doc.addObject("Points::FeaturePython", name)
     SimulatedCloudProxy(obj)
     obj.Source = source
-    obj.Pitch, obj.Noise, obj.ProbeRadius = float(pitch), float(noise), float(probe_radius)
+    obj.Pitch, obj.Noise, obj.ProbeRadius = pitch, noise, probe_radius
     obj.Seed = int(seed)
     return obj
 
@@ -107,9 +105,7 @@ class SimulatedCloudProxy(ComputedCloudProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces of the source, and how it is scanned."""
-        if obj.Source is None:
-            raise ValueError("The part is missing; choose one, or undo its deletion.")
-        yield from shape_inputs(obj.Source.Shape)
+        yield from face_inputs(linked_faces(obj.Source, "part"))
         yield from (obj.Pitch.Value, obj.Noise.Value, obj.ProbeRadius.Value, obj.Seed)
 
     def task(self, obj: Any) -> Task:

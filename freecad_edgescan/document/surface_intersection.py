@@ -17,7 +17,8 @@ from ..scanning import Progress
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
-from .linked_geometry import require_shape, shape_inputs
+from .lengths import positive_length
+from .linked_geometry import face_inputs, linked_faces, require_shape
 
 __all__ = ["SurfaceIntersectionProxy", "make_surface_intersection"]
 
@@ -55,11 +56,10 @@ def make_surface_intersection(
     require_shape("surface", [first, second])
     if first is second:
         raise ValueError(f"Both surfaces are {first.Label!r}; choose two different objects.")
-    if not tolerance > 0.0:
-        raise ValueError(f"The tolerance is {tolerance} mm; give a positive length.")
+    tolerance = positive_length("tolerance", tolerance)
     obj = doc.addObject("Part::FeaturePython", name)
     SurfaceIntersectionProxy(obj)
-    obj.First, obj.Second, obj.Tolerance = first, second, float(tolerance)
+    obj.First, obj.Second, obj.Tolerance = first, second, tolerance
     return obj
 
 
@@ -71,13 +71,15 @@ class SurfaceIntersectionProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces of both, and the tolerance."""
-        for face in (*_faces(obj.First), *_faces(obj.Second)):
-            yield from shape_inputs(face)
+        for own in (obj.First, obj.Second):
+            yield from face_inputs(linked_faces(own, "surface"))
         yield obj.Tolerance.Value
 
     def task(self, obj: Any) -> Task:
         """What intersects them: the curves as wires, the longest first."""
-        first, second = (Part.Compound(_faces(own)) for own in (obj.First, obj.Second))
+        first, second = (
+            Part.Compound(linked_faces(own, "surface")) for own in (obj.First, obj.Second)
+        )
         tolerance = obj.Tolerance.Value
         labels = obj.First.Label, obj.Second.Label
 
@@ -104,12 +106,3 @@ class SurfaceIntersectionProxy(ComputedProxy):
         obj.Length = sum(float(wire.Length) for wire in wires)
         obj.Message = ""
         obj.Origin = FreeCAD.Vector(*origin_of(obj.First))
-
-
-def _faces(obj: Any) -> list[Any]:
-    if obj is None:
-        raise ValueError("A surface is missing; choose one, or undo its deletion.")
-    faces = [] if obj.Shape.isNull() else obj.Shape.Faces
-    if not faces:
-        raise ValueError(f"{obj.Label!r} has no face; recompute the document, or choose another.")
-    return list(faces)

@@ -28,6 +28,7 @@ from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .exact_sweep import exact_shape
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
+from .lengths import positive_length
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
@@ -124,12 +125,13 @@ def make_swept_surface(
         require_cloud(cloud)
     if model not in MODELS:
         raise ValueError(f"There is no sweep model {model!r}; choose {', '.join(MODELS)}.")
+    distance = positive_length("distance", distance)
     obj = doc.addObject("Part::FeaturePython", name)
     SweptSurfaceProxy(obj)
     obj.Rails, obj.Profiles, obj.Cloud = rails, profiles, cloud
     obj.Model = str(model)
     obj.RailPoles, obj.ProfilePoles = (int(count) for count in control_points)
-    obj.Distance, obj.CutRails = float(distance), bool(cut_rails)
+    obj.Distance, obj.CutRails = distance, bool(cut_rails)
     return obj
 
 

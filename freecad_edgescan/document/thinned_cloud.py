@@ -15,6 +15,7 @@ from .cloud_cache import cloud_checksum, point_cloud
 from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
+from .lengths import positive_length
 from .linked_geometry import require_cloud
 
 __all__ = ["ThinnedCloudProxy", "make_thinned_cloud"]
@@ -54,11 +55,10 @@ def make_thinned_cloud(doc: Any, cloud: Any, pitch: float, name: str = "ThinnedC
     ValueError: no cloud, or a pitch that is not positive.
     """
     require_cloud(cloud)
-    if not pitch > 0.0:
-        raise ValueError(f"The pitch is {pitch} mm; give a positive length.")
+    pitch = positive_length("pitch", pitch)
     obj = doc.addObject("Points::FeaturePython", name)
     ThinnedCloudProxy(obj)
-    obj.Cloud, obj.Pitch = cloud, float(pitch)
+    obj.Cloud, obj.Pitch = cloud, pitch
     return obj
 
 
@@ -69,8 +69,6 @@ class ThinnedCloudProxy(ComputedCloudProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud and pitch."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose one, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield obj.Pitch.Value
 
