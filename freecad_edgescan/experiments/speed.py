@@ -33,7 +33,7 @@ AMPLITUDE = 60.0  # mm, of the simulated strip on both sides of the edge togethe
 NOISE = 0.02  # mm
 # Functions, by the file they are in, that fit sides and intersect them; none calls another.
 _FITS = {
-    ("side_fit", "block_moments"),
+    ("normal_equations", "block_moments"),
     ("side_fit", "choose_stretches"),
     ("side_fit", "fit_summed"),
     ("corner", "corners"),

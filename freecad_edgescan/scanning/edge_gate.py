@@ -107,9 +107,8 @@ def make_gate(
     away = float(np.linalg.norm(point - first.frame.origin[0]))
     if away < 2.0 * edge_pitch:
         raise ScanError(
-            f"The gate at ({place_text(point)}) is {away:.3g} mm from where the walk "
-            "begins; give one "
-            f"at least {2.0 * edge_pitch:.3g} mm away, or none."
+            f"The gate at ({place_text(point)}) is {away:.3g} mm from where the walk begins; "
+            f"give one at least {2.0 * edge_pitch:.3g} mm away, or none."
         )
     return PointGate(point, reach)
 

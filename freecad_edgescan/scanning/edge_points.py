@@ -22,6 +22,7 @@ from .corner import Corners, corners
 from .edge_path import EdgePath
 from .fillet import rounding_radius
 from .neighbours import Neighbours
+from .normal_equations import sum_stretches
 from .patch_section import PatchSettings
 from .pooling import (
     agreed_stretches,
@@ -32,7 +33,7 @@ from .pooling import (
     times_counted,
 )
 from .section import Frames, SectionPoints
-from .side_fit import SideFits, fit_summed, sum_stretches
+from .side_fit import SideFits, fit_summed
 from .stop import Stop
 from .strip import strip_points
 

@@ -20,6 +20,17 @@ _ITERATIONS = 8
 _EVIDENCE = 30.0  # chi-square by which a rounding must explain its points better than an edge
 
 
+def gap_under_rounding(begins: np.ndarray | float, half: np.ndarray | float) -> np.ndarray:
+    """How far the edge is from the top of a rounding that touches both sides, mm.
+
+    Parameters
+    ----------
+    begins : distance from the edge at which it touches them, mm
+    half : half the angle between the sides, rad
+    """
+    return np.asarray(begins * (1.0 - np.sin(half)) / np.maximum(np.cos(half), 1e-3))
+
+
 def rounding_radius(
     frames: Frames,
     points: SectionPoints,

@@ -43,10 +43,9 @@ def place_to_look(cloud: PointCloud, at: Point | Start, parameters: ScanParamete
     if distance > farthest:
         low, high = cloud.bounds
         raise ScanError(
-            f"The place ({place_text(wanted)}) is {distance:.3g} mm away from the nearest "
-            "point of the "
-            f"cloud, which reaches from ({place_text(low)}) to ({place_text(high)}); choose "
-            "a place on it."
+            f"The place ({place_text(wanted)}) is {distance:.3g} mm away from the nearest point "
+            f"of the cloud, which reaches from ({place_text(low)}) to ({place_text(high)}); "
+            "choose a place on it."
         )
     return cloud.points[index] if isinstance(at, Start) else wanted
 

@@ -73,46 +73,44 @@ class AdaptiveGait:
         step = min(step, self.longest_step)
         step = min(step, max(_MOST_BENT / _bend(last), _SHORTEST_STEP * pitch))
         most = int(np.clip(_MOST_TURNED / (step * _bend(last)), 1, _AHEAD))
-        found, stop = self._run_on(section, last, step, most if _as_expected(stations) else 1)
-        if found:
+        found = self._run_on(section, last, step, most if _as_expected(stations) else 1)
+        if found[0].stop is None:
             return found
+        failed = found[0]
         shorter = step * _SHORTER[step * _SHORTER >= _SHORTEST_STEP * pitch]
         if len(shorter):
             predicted = predict(last.frame, shorter)
             measured = section.measure(predicted, self._widths(shorter), last)
-            for k, each in enumerate(shorter):
-                stop = measured[k].stop or jumped(last, predicted[k], measured[k], each)
-                if stop is None:
-                    return [_steered(last, predicted[k], measured[k], each)]
+            for k, each in enumerate(shorter.tolist()):
+                failed = _followed(last, predicted[k], measured[k], each)
+                if failed.stop is None:
+                    return [failed]
         bent = _round_a_bend(section, last, 0.5 * pitch, self.half_width)
         if bent is not None:
             return [bent]
-        return [replace(last, stop=section.ending(last, stop or Stop.LOST))]
+        assert failed.stop is not None
+        return [replace(last, stop=section.ending(last, failed.stop))]
 
-    def _run_on(
-        self, section: Section, last: Station, step: float, count: int
-    ) -> tuple[list[Station], Stop | None]:
+    def _run_on(self, section: Section, last: Station, step: float, count: int) -> list[Station]:
         """Measure the next stations together, and believe them as far as they are as expected.
 
-        The first one may be surprising; those behind it were looked for without knowing it.
-
-        Returns
-        -------
-        the stations; if there is none, why
+        The first one may be surprising, or say why the edge was not followed; those behind it
+        were looked for without knowing it.
         """
         ahead = predict(last.frame, step * np.arange(1, count + 1))
         widths = self._widths(np.full(count, step))
         found: list[Station] = []
         for k, measured in enumerate(section.measure(ahead, widths, last)):
-            predicted = predict(last.frame, step)
-            stop = measured.stop or jumped(last, predicted, measured, step)
-            if stop is not None:
-                return found, stop
-            if found and _surprise(last, ahead[k], measured, step) > _EXPECTED:
+            station = _followed(last, predict(last.frame, step), measured, step)
+            if found and (
+                station.stop is not None or _surprise(last, ahead[k], measured, step) > _EXPECTED
+            ):
                 break
-            last = _steered(last, predicted, measured, step)
-            found.append(last)
-        return found, None
+            found.append(station)
+            if station.stop is not None:
+                break
+            last = station
+        return found
 
     def _widths(self, steps: np.ndarray) -> np.ndarray:
         """Half the width of the slab at the end of each step, mm."""
@@ -161,10 +159,10 @@ def _round_a_bend(
     widths = np.full(len(bends), 0.6 * half_width)
     found = []
     for k, measured in enumerate(section.measure(predicted, widths, last)):
-        if measured.stop or jumped(last, predicted[k], measured, step):
-            continue
-        if measured.sigma <= 2.0 * max(last.sigma, measured.noise):
-            found.append(_steered(last, predicted[k], measured, step))
+        station = _followed(last, predicted[k], measured, step)
+        known = measured.sigma <= 2.0 * max(last.sigma, measured.noise)
+        if station.stop is None and known:
+            found.append(station)
     if not found:
         return None
     onward = Frames.join([predict(station.frame, step) for station in found])
@@ -184,6 +182,12 @@ def _as_expected(stations: Sequence[Station]) -> bool:
 
 def _bend(station: Station) -> float:
     return max(float(np.linalg.norm(station.frame.bend)), 1e-12)
+
+
+def _followed(last: Station, predicted: Frames, measured: Station, step: float) -> Station:
+    """The measured station as the walk's next one; the last one with a stop where it is none."""
+    stop = measured.stop or jumped(last, predicted, measured, step)
+    return _steered(last, predicted, measured, step) if stop is None else replace(last, stop=stop)
 
 
 def jumped(last: Station, predicted: Frames, measured: Station, step: float) -> Stop | None:

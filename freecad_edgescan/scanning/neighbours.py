@@ -15,7 +15,7 @@ import numpy as np
 
 from ..geometry.frames import turned_along
 from .edge_path import EdgePath
-from .side_fit import moved_moments, sum_stretches
+from .normal_equations import moved_moments, sum_stretches
 
 __all__ = ["Neighbours"]
 

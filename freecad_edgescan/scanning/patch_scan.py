@@ -18,6 +18,7 @@ from ..geometry.place_text import place_text
 from .automatic import Chosen, choose_parameters
 from .edge_gate import LineGate, PointGate, heading_for, make_gate
 from .errors import ScanError
+from .fillet import gap_under_rounding
 from .first_section import first_section, place_to_look
 from .gait import AdaptiveGait
 from .parameters import ScanParameters
@@ -130,14 +131,13 @@ def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
     pitch = float(cloud.local_pitch(beside[None])[0, 0])
     # Sides that curl towards each other have no edge but under a rounding that touches both.
     half = 0.5 * float(np.median(edge.angle))
-    rounded = float(np.median(fits.begins.max(axis=1))) * (1.0 - np.sin(half)) / np.cos(half)
+    rounded = float(gap_under_rounding(np.median(fits.begins.max(axis=1)), half))
     curl = np.abs(fits.coefficients[..., 2]) * (fits.ends - fits.begins) / fits.reach
     curled = float(np.median(curl.sum(axis=1))) > _CURLED
     if away > begins + _BESIDE * pitch or (curled and away > rounded + _BESIDE_CURLED * pitch):
         raise ScanError(
             f"The sides near ({place_text(middle)}) come together {away:.3g} mm outside the "
-            "points, "
-            f"although they begin {begins:.2g} mm from there: they are the two faces of something "
-            "too thin for this pitch, and have no edge there. An edge needs sides of four pitches; "
-            "click on a wider one, or scan denser."
+            f"points, although they begin {begins:.2g} mm from there: they are the two faces of "
+            "something too thin for this pitch, and have no edge there. An edge needs sides of "
+            "four pitches; click on a wider one, or scan denser."
         )

@@ -14,9 +14,11 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners, largest_sigma
+from .fillet import gap_under_rounding
+from .normal_equations import block_counts, block_moments, without_crowds
 from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
 from .sections import Sections
-from .side_fit import SideFits, block_counts, block_moments, choose_stretches, without_crowds
+from .side_fit import SideFits, choose_stretches
 from .stop import Stop
 
 # A measured section that turns more than this against its prediction is measured once more.
@@ -218,13 +220,12 @@ class PatchSection:
     def _hanging(self, corner: Corners, fits: SideFits, points: SectionPoints) -> np.ndarray:
         """Whether an edge point hangs farther in the air than a rounding can take away, (m,).
 
-        A rounding that touches both sides where they begin leaves b (1 − sin θ/2) / cos θ/2 between
-        its top and the edge. Sides that meet farther outside, like the two faces of a thin plate
-        that a fit has bent towards each other, have no edge there.
+        Sides that meet farther outside, like the two faces of a thin plate that a fit has bent
+        towards each other, have no edge there.
         """
         cosine = np.einsum("mi,mi->m", corner.sides[:, 0], corner.sides[:, 1])
         half = 0.5 * np.arccos(np.clip(cosine, -1.0, 1.0))
-        rounded = fits.begins.max(axis=1) * (1.0 - np.sin(half)) / np.maximum(np.cos(half), 1e-3)
+        rounded = gap_under_rounding(fits.begins.max(axis=1), half)
         away = self.cloud.points[points.index] - corner.point[points.owner]
         near = np.full(len(half), np.inf)
         np.minimum.at(near, points.owner, np.einsum("ni,ni->n", away, away))

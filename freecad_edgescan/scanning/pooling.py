@@ -15,20 +15,16 @@ from scipy.ndimage import convolve1d, median_filter, percentile_filter, uniform_
 
 from .edge_path import EdgePath
 from .neighbours import Neighbours
+from .normal_equations import BLOCK_EDGES, PRIOR_SIGMA, block_counts, block_moments, without_crowds
 from .patch_section import PatchSettings
 from .section import SectionPoints
 from .side_fit import (
-    BLOCK_EDGES,
     LATER,
     MOST_CURVED,
-    PRIOR_SIGMA,
     SideFits,
-    block_counts,
-    block_moments,
     choose_stretches,
     fit_summed,
     moved_by_first_blocks,
-    without_crowds,
 )
 
 _POOLED = 4  # sections on each side that decide together

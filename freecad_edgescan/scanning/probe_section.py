@@ -55,9 +55,8 @@ class ProbeSection:
         across = start.across
         if abs(float(self.settings.approach @ across)) > _ALONG_THE_PROBE:
             raise ScanError(
-                f"The start's direction across the edge ({place_text(across)}) is that of "
-                "the probe; "
-                "give one along the surface, towards the edge, or another approach than "
+                f"The start's direction across the edge ({place_text(across)}) is that of the "
+                "probe; give one along the surface, towards the edge, or another approach than "
                 f"({place_text(self.settings.approach)})."
             )
         inward = _square_to(self.settings.approach, across)

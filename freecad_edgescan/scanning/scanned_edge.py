@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .corner import across_axes
+from .corner import across_axes, largest_sigma
 from .parameters import ScanParameters
 from .stop import Stop
 
@@ -87,7 +87,7 @@ class ScannedEdge:
     @cached_property
     def sigma(self) -> np.ndarray:
         """Standard deviation across the edge in its worst direction, (m,) mm."""
-        return np.sqrt(np.maximum(np.linalg.eigvalsh(self.covariance)[..., -1], 0.0))
+        return largest_sigma(self.covariance)
 
     @cached_property
     def length(self) -> float:
@@ -154,7 +154,7 @@ class ScannedEdge:
 
         edge = self.unsmoothed if tolerance is None else self
         points, covariance = edge._with_vertices()
-        sigma = np.sqrt(np.maximum(np.linalg.eigvalsh(covariance)[:, -1], 0.0))
+        sigma = largest_sigma(covariance)
         curve = fit_curve(points, sigma, covariance, None, self.closed, tolerance)
         if tolerance is not None:
             return curve

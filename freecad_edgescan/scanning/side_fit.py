@@ -18,18 +18,15 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from .normal_equations import (
+    BLOCK_EDGES,
+    BLOCKS,
+    PRIOR_SIGMA,
+    solve,
+    square_forms,
+    sums_of_terms,
+)
 from .section import SectionPoints
-
-BLOCKS = 14
-# Blocks are narrow near the edge, where a rounding begins somewhere, and wide away from it.
-BLOCK_EDGES = (np.arange(BLOCKS + 1) / BLOCKS) ** 1.5
-_TERMS = 4
-_PAIRS = np.triu_indices(_TERMS + 1)
-_TERM_PAIRS = np.triu_indices(_TERMS)
-_DIAGONAL = np.arange(_TERMS)
-_TIMES = np.where(_TERM_PAIRS[0] == _TERM_PAIRS[1], 1.0, 2.0)  # that a pair is in a square form
-_SQUARE = np.zeros((_TERMS + 1, _TERMS + 1), dtype=np.int64)
-_SQUARE[_PAIRS] = _SQUARE.T[_PAIRS] = np.arange(len(_PAIRS[0]))
 
 # All stretches of two and more blocks: their first and last block (exclusive), the blocks in them,
 # and the number of the stretch between two blocks.
@@ -54,13 +51,6 @@ _UNEVEN_AT_ALL = 30.0
 _MOST_MOVED = 3.0
 _WORST = 3.3  # standard deviations that the mean of a block may be off
 _BY_CHANCE = 2.5  # variances by which they may be taken to move it by chance
-
-# How many times the expected number of points a block may hold at full weight.
-_CROWD = 2.0
-
-# Standard deviations of the coefficients before anything is measured, in units of the reach:
-# they keep thin support from giving wild extrapolations.
-PRIOR_SIGMA = np.array([1.0, 0.7, 0.3, 0.3])
 
 
 @dataclass(frozen=True)
@@ -140,52 +130,6 @@ class SideFits:
         return (height - fitted) * self.reach
 
 
-def block_moments(points: SectionPoints, sections: int, reach: float) -> np.ndarray:
-    """Normal equations of each block of each side, (m, 2, BLOCKS, 15).
-
-    The last axis holds the upper triangle of the products of (1, s, (s²+n²)/2, u, n).
-    """
-    away, height, along = (value / reach for value in (points.away, points.height, points.along))
-    block = block_of(away)
-    inside = (block >= 0) & (block < BLOCKS)
-    away, height, along = away[inside], height[inside], along[inside]
-    terms = (np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height)
-    bins = (points.owner[inside] * 2 + points.side[inside]) * BLOCKS + block[inside]
-    total = sections * 2 * BLOCKS
-    moments = [
-        np.bincount(bins, weights=terms[i] * terms[j], minlength=total)
-        for i, j in zip(*_PAIRS, strict=True)
-    ]
-    return np.stack(moments, axis=-1).reshape(sections, 2, BLOCKS, -1)
-
-
-def without_crowds(
-    moments: np.ndarray, reach: float, half_width: float | np.ndarray, cloud_pitch: float
-) -> np.ndarray:
-    """Normal equations with crowded blocks weighted down to the pitch of the surfaces.
-
-    Scans crowd points where a surface bends, as on a rounding; without this those few square
-    millimetres would outvote the sides.
-    """
-    width = 2.0 * np.asarray(half_width)[..., None, None]
-    expected = np.diff(BLOCK_EDGES) * reach * width / cloud_pitch**2
-    count = np.maximum(moments[..., 0], 1e-9)
-    return moments * np.minimum(1.0, _CROWD * np.maximum(expected, 1.0) / count)[..., None]
-
-
-def block_of(away: np.ndarray) -> np.ndarray:
-    """Block of distances from the edge in units of the reach; −1 or BLOCKS when outside."""
-    return np.searchsorted(BLOCK_EDGES, away, side="right") - 1
-
-
-def block_counts(points: SectionPoints, sections: int, reach: float) -> np.ndarray:
-    """Number of points in each block of each side, (m, 2, BLOCKS)."""
-    block = block_of(points.away / reach)
-    inside = (block >= 0) & (block < BLOCKS)
-    bins = ((points.owner * 2 + points.side) * BLOCKS + block)[inside]
-    return np.bincount(bins, minlength=sections * 2 * BLOCKS).reshape(sections, 2, BLOCKS)
-
-
 def choose_stretches(
     moments: np.ndarray,
     reach: float,
@@ -223,12 +167,12 @@ def choose_stretches(
     cumulated = np.zeros((sections, 2, BLOCKS + 1, moments.shape[-1]))
     np.cumsum(moments, axis=2, out=cumulated[:, :, 1:])
     summed = cumulated[:, :, _LAST] - cumulated[:, :, _FIRST]
-    fits = _solve(summed, variance[..., None], curvature[..., None], curvature_sigma)
+    fits = solve(summed, variance[..., None], curvature[..., None], curvature_sigma)
     coefficients, inverse, misfit, count = fits
     degrees = np.maximum(count - 3.0, 1.0)
     ratio = misfit / degrees / variance[..., None]
     # Mean residual of every block under every stretch's fit.
-    blocks = moments[..., _SQUARE[0]]
+    blocks = sums_of_terms(moments)
     number = np.maximum(blocks[..., 0], 1e-9)
     mean = (
         blocks[:, :, None, :, 4] - coefficients @ np.swapaxes(blocks[..., :4], -1, -2)
@@ -236,8 +180,7 @@ def choose_stretches(
     filled = blocks[..., 0] > 0
     # A block pulls the fit towards itself; what is left of its misfit is that of a fit without it.
     centre = blocks[..., :4] / number[..., None]
-    products = centre[..., _TERM_PAIRS[0]] * centre[..., _TERM_PAIRS[1]] * _TIMES
-    leverage = inverse[..., _TERM_PAIRS[0], _TERM_PAIRS[1]] @ np.swapaxes(products, -1, -2)
+    leverage = square_forms(inverse, centre)
     free = np.maximum(1.0 / number[:, :, None] - leverage, 1e-3 / number[:, :, None])
     tolerated = slack * free * number[:, :, None]
     allowed = variance[..., None, None] * (free + tolerated**2)
@@ -352,7 +295,7 @@ def fit_summed(
 ) -> SideFits:
     """Fit normal equations (m, 2, 15) that were summed over stretches; see choose_stretches."""
     variance = np.square(noise / reach)
-    coefficients, inverse, misfit, count = _solve(summed, variance, curvature, curvature_sigma)
+    coefficients, inverse, misfit, count = solve(summed, variance, curvature, curvature_sigma)
     spread = misfit / np.maximum(count - 3.0, 1.0)
     return SideFits(
         reach,
@@ -365,70 +308,3 @@ def fit_summed(
         np.zeros_like(spread),
         variance / np.square(curvature_sigma),
     )
-
-
-def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
-    """Normal equations of given stretches of blocks, (m, 2, 15)."""
-    block = np.arange(BLOCKS)
-    within = (block >= stretch[..., :1]) & (block < stretch[..., 1:])
-    return np.einsum("mkb,mkbq->mkq", within.astype(float), moments)
-
-
-def moved_moments(summed: np.ndarray, moves: np.ndarray) -> np.ndarray:
-    """Normal equations (…, 15) in other terms: moves (…, 5, 5) times (1, s, q, u, n)."""
-    moved = moves @ summed[..., _SQUARE] @ np.swapaxes(moves, -1, -2)
-    return np.asarray(moved[..., _PAIRS[0], _PAIRS[1]])
-
-
-def _solve(
-    summed: np.ndarray,
-    variance: np.ndarray,
-    curvature: np.ndarray,
-    curvature_sigma: float | np.ndarray,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-    """Coefficients, inverse normal matrix, sum of squares and count of (…, 15) moments."""
-    full = summed[..., _SQUARE]
-    normal, right = full[..., :_TERMS, :_TERMS], full[..., :_TERMS, _TERMS]
-    weight = np.empty((*normal.shape[:-2], _TERMS))
-    weight[:] = variance[..., None] / PRIOR_SIGMA**2
-    weight[..., 2] = variance / np.square(curvature_sigma)
-    weight = np.maximum(weight, 1e-12)
-    normal[..., _DIAGONAL, _DIAGONAL] += weight
-    inverse = _inverse(normal)
-    pulled = right.copy()
-    pulled[..., 2] += weight[..., 2] * curvature
-    coefficients = (inverse @ pulled[..., None])[..., 0]
-    # Of the sum of squares, what the expectation has taken is left to the points.
-    pull = -weight * coefficients
-    pull[..., 2] += weight[..., 2] * curvature
-    misfit = full[..., _TERMS, _TERMS] - np.sum(coefficients * (right - pull), axis=-1)
-    return coefficients, inverse, np.maximum(misfit, 0.0), summed[..., 0]
-
-
-def _inverse(normal: np.ndarray) -> np.ndarray:
-    """Inverse of symmetric positive definite matrices (…, 4, 4), by blocks of two rows.
-
-    For so many so small ones LAPACK's time goes into being called.
-    """
-    a, b, c, d = (normal[..., 0, k] for k in range(4))
-    e, f, g = (normal[..., 1, k] for k in range(1, 4))
-    h, i, j = normal[..., 2, 2], normal[..., 2, 3], normal[..., 3, 3]
-    size = a * e - b * b
-    p, q, r = e / size, -b / size, a / size
-    # What the last two terms are in terms of the first two, and what of them is their own.
-    w, x, y, z = p * c + q * f, p * d + q * g, q * c + r * f, q * d + r * g
-    h, i, j = h - c * w - f * y, i - c * x - f * z, j - d * x - g * z
-    size = h * j - i * i
-    h, i, j = j / size, -i / size, h / size
-    wh, xh, yh, zh = w * h + x * i, w * i + x * j, y * h + z * i, y * i + z * j
-    inverse = np.empty(normal.shape)
-    inverse[..., 0, 0] = p + wh * w + xh * x
-    inverse[..., 0, 1] = inverse[..., 1, 0] = q + wh * y + xh * z
-    inverse[..., 1, 1] = r + yh * y + zh * z
-    inverse[..., 0, 2] = inverse[..., 2, 0] = -wh
-    inverse[..., 0, 3] = inverse[..., 3, 0] = -xh
-    inverse[..., 1, 2] = inverse[..., 2, 1] = -yh
-    inverse[..., 1, 3] = inverse[..., 3, 1] = -zh
-    inverse[..., 2, 2], inverse[..., 3, 3] = h, j
-    inverse[..., 2, 3] = inverse[..., 3, 2] = i
-    return inverse

@@ -73,11 +73,13 @@ def _within(points: Array, corners: Array, room: float) -> NDArray[np.bool_]:
 
 
 def _off_the_rim(base: BSplineSurface, u: Array, v: Array, room: float) -> NDArray[np.bool_]:
-    """Whether feet (n,) are farther than some room from the rim of a surface, (n,) bool."""
+    """Whether feet (n,) are inside a surface's rim and farther from it than some room, (n,)."""
     feet, inner = base.evaluate(u, v), np.ones(len(u), dtype=bool)
     for axis, closed in enumerate(base.closed):
         for end in () if closed else base.parameter_range[axis]:
             at = [u, v]
+            # What projects beyond the rim has its foot just there.
+            inner &= at[axis] != end
             at[axis] = np.full(len(u), end)
-            inner &= np.linalg.norm(base.evaluate(*at) - feet, axis=1) > room
+            inner &= np.linalg.norm(base.evaluate(*at) - feet, axis=1) >= room
     return inner

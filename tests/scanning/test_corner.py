@@ -4,9 +4,10 @@ import pytest
 from scipy.optimize import fsolve
 from scipy.spatial.transform import Rotation
 
-from freecad_edgescan.scanning.corner import across_axes, corners
+from freecad_edgescan.scanning.corner import across_axes, corners, largest_sigma
+from freecad_edgescan.scanning.normal_equations import BLOCKS
 from freecad_edgescan.scanning.section import frames_from_sides
-from freecad_edgescan.scanning.side_fit import BLOCKS, SideFits
+from freecad_edgescan.scanning.side_fit import SideFits
 
 REACH = 7.0
 
@@ -175,3 +176,11 @@ def test_what_neighbours_share_is_what_an_error_of_the_expected_curvature_does()
     assert by_both[1] == pytest.approx(0.0, abs=1e-6)
     assert stated.shared[0, 0, 0] == pytest.approx(by_both[0] ** 2 / 2.0, rel=0.01)
     assert np.all(np.linalg.eigvalsh(stated.covariance[0] - stated.shared[0]) > 0.0)
+
+
+def test_the_largest_sigma_is_the_root_of_the_largest_eigenvalue():
+    half = np.random.default_rng(2).normal(size=(50, 2, 2))
+    covariance = half @ np.swapaxes(half, 1, 2)
+    wanted = np.sqrt(np.linalg.eigvalsh(covariance)[:, -1])
+    assert largest_sigma(covariance) == pytest.approx(wanted)
+    assert largest_sigma(np.zeros((1, 2, 2))) == 0.0

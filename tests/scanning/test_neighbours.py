@@ -9,8 +9,8 @@ import pytest
 from freecad_edgescan.geometry.frames import rotate
 from freecad_edgescan.scanning.edge_path import EdgePath
 from freecad_edgescan.scanning.neighbours import Neighbours
+from freecad_edgescan.scanning.normal_equations import BLOCKS, block_moments, sum_stretches
 from freecad_edgescan.scanning.section import Frames, frames_from_sides, section_points
-from freecad_edgescan.scanning.side_fit import BLOCKS, block_moments, sum_stretches
 from freecad_edgescan.scanning.stop import Stop
 
 REACH = 5.0

@@ -2,17 +2,14 @@
 import numpy as np
 import pytest
 
-from freecad_edgescan.scanning.section import SectionPoints
-from freecad_edgescan.scanning.side_fit import (
+from freecad_edgescan.scanning.normal_equations import (
     BLOCK_EDGES,
     BLOCKS,
-    block_counts,
     block_moments,
-    choose_stretches,
-    fit_summed,
     sum_stretches,
-    without_crowds,
 )
+from freecad_edgescan.scanning.section import SectionPoints
+from freecad_edgescan.scanning.side_fit import choose_stretches, fit_summed
 
 REACH = 12.0
 WIDEST = REACH * np.diff(BLOCK_EDGES).max()
@@ -72,32 +69,6 @@ def test_a_plane_that_drifts_along_the_edge_is_recovered_exactly():
     assert fits.stretch[0].tolist() == [[0, BLOCKS], [0, BLOCKS]]
 
 
-def test_normal_equations_are_the_sums_over_each_blocks_points():
-    points = side_points(lambda s, u: 0.1 * s, 0.1)
-    moments = block_moments(points, 1, REACH)
-    s, n, u = points.away / REACH, points.height / REACH, points.along / REACH
-    for block in (0, 3, BLOCKS - 1):
-        mine = (points.side == 1) & (s >= BLOCK_EDGES[block]) & (s < BLOCK_EDGES[block + 1])
-        rows = np.column_stack([np.ones_like(s), s, (s**2 + n**2) / 2, u, n])[mine]
-        whole = (rows.T @ rows)[np.triu_indices(5)]
-        assert moments[0, 1, block] == pytest.approx(whole, rel=1e-9, abs=1e-12)
-        assert block_counts(points, 1, REACH)[0, 1, block] == mine.sum()
-
-
-def test_points_outside_the_reach_are_in_no_block():
-    points = side_points(lambda s, u: 0.0 * s, reach=2 * REACH)
-    inside = np.count_nonzero(points.away < REACH)
-    assert block_counts(points, 1, REACH).sum() == inside
-    assert block_moments(points, 1, REACH)[..., 0].sum() == pytest.approx(inside)
-
-
-def test_the_sum_over_a_stretch_is_the_sum_of_its_blocks():
-    moments = block_moments(side_points(circle(30.0), 0.1), 1, REACH)
-    summed = sum_stretches(moments, np.array([[[2, 5], [0, BLOCKS]]]))
-    assert summed[0, 0] == pytest.approx(moments[0, 0, 2:5].sum(axis=0))
-    assert summed[0, 1] == pytest.approx(moments[0, 1].sum(axis=0))
-
-
 @pytest.mark.parametrize("noise", [0.01, 0.05])
 @pytest.mark.parametrize("touching", [1.0, 3.0])
 @pytest.mark.parametrize(("count", "allowed"), [(600, 2.5), (5000, 1.5)])
@@ -148,16 +119,3 @@ def test_the_stated_variance_is_the_scatter_of_the_fits():
         stated.extend((noise / REACH) ** 2 * fits.inverse[0, :, 0, 0])
         assert fits.variance[0] == pytest.approx([(noise / REACH) ** 2] * 2, rel=0.6)
     assert np.std(c0) == pytest.approx(np.sqrt(np.mean(stated)), rel=0.1)
-
-
-def test_a_crowd_of_points_has_no_more_say_than_its_area():
-    """A thousand points in one block count as two of the pitch's own."""
-    even = side_points(lambda s, u: 0.0 * s, count=400)
-    pitch = np.sqrt(REACH * 3.0 / 400)
-    moments = block_moments(even, 1, REACH)
-    crowded = moments.copy()
-    crowded[0, 0, 3] *= 50.0
-    evened = without_crowds(crowded, REACH, 1.5, pitch)
-    expected = REACH * np.diff(BLOCK_EDGES)[3] * 3.0 / pitch**2
-    assert evened[0, 0, 3, 0] == pytest.approx(2 * expected)
-    assert evened[0, 1] == pytest.approx(moments[0, 1], rel=0.35)

@@ -78,6 +78,29 @@ def test_few_points_that_their_neighbours_contradict_give_way():
         assert (abs(after) < 2.0 * SIGMA) == gives_way
 
 
+def test_one_section_that_is_off_by_chance_keeps_nothing_of_its_own_place():
+    """Of a hundred sections one is three sigma off; it is drawn to its neighbours all the same."""
+    measured, edge = straight_sections()
+    point = edge.point.copy()
+    point[20, 1] += 3.5 * SIGMA
+    edge.point = point
+    after = smoothed(measured, edge, 0.5, closed=False, straight=True).point[20, 1]
+    assert abs(after) < 0.5 * SIGMA
+
+
+@pytest.mark.parametrize(("ending", "stays"), [(True, False), (False, True)])
+def test_at_an_end_the_neighbours_are_believed_only_where_another_surface_may_begin(ending, stays):
+    measured, edge = straight_sections()
+    point = edge.point.copy()
+    point[-1, 1] += 10.0 * SIGMA
+    edge.point = point
+    after = smoothed(measured, edge, 0.5, closed=False, straight=True, ending=(True, ending)).point[
+        -1, 1
+    ]
+    assert (after > 8.0 * SIGMA) == stays
+    assert stays or abs(after) < 2.0 * SIGMA
+
+
 def test_sections_that_share_nothing_and_scatter_are_averaged_by_their_own_variance():
     """Errors drawn with the stated covariance: what is stated of their mean is its scatter."""
     off, stated = [], []

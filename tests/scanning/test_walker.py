@@ -48,7 +48,7 @@ class KnownEdge:
     def __init__(self, curve, low=-np.inf, high=np.inf, noise=0.0):
         self.curve, self.low, self.high, self.noise = curve, low, high, noise
         self.rng, self.at = np.random.default_rng(9), 0.0
-        self.widths = []
+        self.widths, self.batches = [], []
 
     def station(self, t, towards=None):
         point, tangent = self.curve(t)
@@ -71,6 +71,7 @@ class KnownEdge:
         ).x
 
     def measure(self, predicted, half_width, last):
+        self.batches.append(len(predicted))
         return [
             self.measure_one(predicted[k], width) for k, width in enumerate(half_width.tolist())
         ]
@@ -101,7 +102,7 @@ def places(stations):
     return np.array([s.frame.origin[0] for s in stations])
 
 
-def test_a_prediction_runs_on_along_the_osculating_circle():
+def test_predictions_run_on_along_the_osculating_circle():
     point, tangent = circle(0.0, 50.0)
     frame = frames_from_sides(
         point[None],
@@ -109,13 +110,46 @@ def test_a_prediction_runs_on_along_the_osculating_circle():
         np.array([[[1.0, 0, 0], [0, 0, 1.0]]]),
         np.array([[-1 / 50.0, 0.0, 0.0]]),
     )
-    ahead = predict(frame, 2.0)
-    point, tangent = circle(2.0, 50.0)
-    assert ahead.origin[0] == pytest.approx(point, abs=2e-3)
-    assert ahead.tangent[0] == pytest.approx(tangent, abs=1e-4)
-    # What stood across the edge on the cylinder's axis still does.
-    assert ahead.sides[0, 1] == pytest.approx([0, 0, 1], abs=1e-9)
-    assert ahead.sides[0, 0] == pytest.approx(point / 50.0, abs=1e-4)
+    steps = np.array([2.0, 4.0, 30.0])
+    ahead = predict(frame, steps)
+    for k, step in enumerate(steps):
+        point, tangent = circle(step, 50.0)
+        assert ahead.origin[k] == pytest.approx(point, abs=1e-12)
+        assert ahead.tangent[k] == pytest.approx(tangent, abs=1e-12)
+        assert ahead.bend[k] == pytest.approx(-point / 50.0**2, abs=1e-12)
+        # What stood across the edge on the cylinder's axis still does.
+        assert ahead.sides[k, 1] == pytest.approx([0, 0, 1], abs=1e-12)
+        assert ahead.sides[k, 0] == pytest.approx(point / 50.0, abs=1e-12)
+
+
+def test_several_sections_are_measured_at_once_where_the_edge_runs_as_expected():
+    edge = KnownEdge(straight, -1.0, 60.0)
+    found = walked(edge)
+    assert found.stop is Stop.CLOUD_END
+    # The first ones by themselves, until the walk knows how the edge runs.
+    assert edge.batches[:3] == [1, 1, 1]
+    assert edge.batches.count(6) > 5
+    assert len(edge.batches) < 0.5 * len(found.stations)
+
+
+def test_of_sections_measured_at_once_those_behind_a_surprise_are_looked_for_again():
+    """Farther ahead than two sections this one sees an edge that is none, 0.1 mm aside."""
+
+    class Misled(KnownEdge):
+        def measure(self, predicted, half_width, last):
+            stations = super().measure(predicted, half_width, last)
+            for k in range(2, len(stations)):
+                frame = stations[k].frame
+                aside = frame.origin + 0.1 * frame.sides[:, 0]
+                stations[k] = replace(stations[k], frame=replace(frame, origin=aside))
+            return stations
+
+    edge = Misled(straight, -1.0, 60.0)
+    found = walked(edge)
+    assert max(edge.batches) > 2
+    assert found.stop is Stop.CLOUD_END
+    assert np.abs(places(found.stations)[:, 1]).max() < 1e-3
+    assert places(found.stations)[-1, 0] > 60.0 - PITCH
 
 
 def test_turned_round_a_section_keeps_its_sides_and_normals():
