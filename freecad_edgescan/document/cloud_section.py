@@ -22,7 +22,7 @@ from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
-from .lengths import length_or_zero
+from .given_numbers import length_or_zero, share_of_rail
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_curve import curve_shape, vector
 
@@ -93,13 +93,12 @@ def make_cloud_section(
     require_shape("rail", [rail] if towards is None else [rail, towards])
     if kind not in KINDS:
         raise ValueError(f"There is no profile of the kind {kind!r}; choose {', '.join(KINDS)}.")
-    if not 0.0 <= share <= 1.0:
-        raise ValueError(f"The share of the rail is {share!r}; give a number from 0 to 1.")
-    reach, thickness = length_or_zero("reach", reach), length_or_zero("thickness", thickness)
+    share, reach = share_of_rail(share), length_or_zero("reach", reach)
+    thickness = length_or_zero("thickness", thickness)
     obj = doc.addObject("Part::FeaturePython", name)
     CloudSectionProxy(obj)
     obj.Cloud, obj.Rail, obj.Towards = cloud, rail, towards
-    obj.Share, obj.Kind = float(share), str(kind)
+    obj.Share, obj.Kind = share, str(kind)
     obj.Reach, obj.Thickness = reach, thickness
     return obj
 
@@ -121,10 +120,9 @@ class CloudSectionProxy(ComputedProxy):
         cloud = point_cloud(obj.Cloud)
         rail = linked_curve(obj.Rail, "rail")
         towards = None if obj.Towards is None else linked_curve(obj.Towards, "rail")
-        share, reach, thickness = float(obj.Share), obj.Reach.Value, obj.Thickness.Value
+        share, reach = share_of_rail(obj.Share), length_or_zero("reach", obj.Reach.Value)
+        thickness = length_or_zero("thickness", obj.Thickness.Value)
         kind = None if obj.Kind == AUTOMATIC else obj.Kind
-        if not 0.0 <= share <= 1.0:
-            raise ValueError(f"The share of the rail is {share:g}; give a number from 0 to 1.")
 
         def cut(progress: Progress | None) -> CrossSection:
             points = _surface_points(cloud, rail, towards, share, reach, progress)

@@ -14,7 +14,7 @@ from .cloud_cache import cloud_checksum
 from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
-from .lengths import positive_length
+from .given_numbers import positive_length
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .points_near_base import points_near_base
 

@@ -26,7 +26,7 @@ from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared, Role
 from .deviation_from_shape import MeasurableShape, write_deviations
-from .lengths import length_or_zero
+from .given_numbers import length_or_zero
 from .linked_geometry import face_inputs, linked_faces, require_cloud, require_shape
 
 __all__ = [

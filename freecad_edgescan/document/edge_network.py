@@ -19,7 +19,7 @@ from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .edge_network_shape import network_shape
-from .lengths import length_or_zero
+from .given_numbers import least_angle, length_or_zero
 from .linked_geometry import require_cloud
 from .native_curve import vector
 
@@ -28,8 +28,10 @@ __all__ = ["EdgeNetworkProxy", "make_edge_network"]
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Network", "The cloud whose edges are sought"),
     Declared("Angle", "MinAngle", "Network", "Least turn between the two sides of an edge"),
-    Declared("Length", "MinLength", "Network", "Of an edge; 0: eight times the cloud's pitch"),
-    Declared("Length", "MaxSigma", "Network", "Edges known worse than that are left out; 0: none"),
+    Declared("Distance", "MinLength", "Network", "Of an edge; 0: eight times the cloud's pitch"),
+    Declared(
+        "Distance", "MaxSigma", "Network", "Edges known worse than that are left out; 0: none"
+    ),
     result("Integer", "EdgeCount", "Number of edges"),
     result("Integer", "CornerCount", "Number of corners in which edges meet"),
     result("Length", "TotalLength", "Of all edges"),
@@ -71,8 +73,7 @@ def make_edge_network(
     ValueError: something that is no point cloud, or numbers that cannot work; nothing is made.
     """
     require_cloud(cloud)
-    if not 0.0 < min_angle < np.pi:
-        raise ValueError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
+    min_angle = least_angle(min_angle)
     min_length = length_or_zero("least length", min_length)
     max_sigma = length_or_zero("largest sigma", max_sigma)
     obj = doc.addObject("Part::FeaturePython", name)
@@ -95,8 +96,9 @@ class EdgeNetworkProxy(ComputedProxy):
 
     def task(self, obj: Any) -> Task:
         """What finds the edges."""
-        cloud, angle = point_cloud(obj.Cloud), float(np.radians(obj.MinAngle.Value))
-        shortest, worst = obj.MinLength.Value or None, obj.MaxSigma.Value
+        cloud, angle = point_cloud(obj.Cloud), least_angle(np.radians(obj.MinAngle.Value))
+        shortest = length_or_zero("least length", obj.MinLength.Value) or None
+        worst = length_or_zero("largest sigma", obj.MaxSigma.Value)
 
         def find(progress: Progress | None) -> EdgeNetwork:
             network = find_edges(cloud, angle, shortest, progress)

@@ -22,7 +22,7 @@ from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
 from .declared_properties import Declared
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
-from .lengths import length_or_zero, positive_length
+from .given_numbers import length_or_zero, positive_length, whole_number
 from .linked_geometry import linked_curve, linked_surface, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
@@ -107,12 +107,13 @@ def make_fitted_surface(
             "give a base surface, or four edges round the surface, or none of both."
         )
     distance = positive_length("distance", distance)
-    tolerance = length_or_zero("tolerance", tolerance or 0.0)
+    tolerance = length_or_zero("tolerance", 0.0 if tolerance is None else tolerance)
+    poles, degree = _form((0, 0) if control_points is None else control_points, degree)
     obj = doc.addObject("Part::FeaturePython", name)
     FittedSurfaceProxy(obj)
     obj.Cloud, obj.Base, obj.Edges, obj.Distance = cloud, base, edges, distance
-    obj.PolesU, obj.PolesV = (0, 0) if control_points is None else map(int, control_points)
-    obj.DegreeU, obj.DegreeV = map(int, degree)
+    obj.PolesU, obj.PolesV = poles or (0, 0)
+    obj.DegreeU, obj.DegreeV = degree
     obj.Tolerance = tolerance
     return obj
 
@@ -134,10 +135,8 @@ class FittedSurfaceProxy(ComputedProxy):
         """What fits the surface."""
         near = points_near_base(obj.Cloud, obj.Distance.Value)
         base_of = self._base(obj)
-        automatic = obj.PolesU == 0 and obj.PolesV == 0
-        control_points = None if automatic else (int(obj.PolesU), int(obj.PolesV))
-        degree = int(obj.DegreeU), int(obj.DegreeV)
-        tolerance = obj.Tolerance.Value or None
+        control_points, degree = _form((obj.PolesU, obj.PolesV), (obj.DegreeU, obj.DegreeV))
+        tolerance = length_or_zero("tolerance", obj.Tolerance.Value) or None
 
         def fit(progress: Progress | None) -> SurfaceFit:
             base, said = base_of(progress and Stage(progress, 0.0, 0.3))
@@ -180,3 +179,17 @@ class FittedSurfaceProxy(ComputedProxy):
         obj.Message = result.message
         write_fit_numbers(obj, result)
         obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+
+
+def _form(
+    control_points: Sequence[Any], degree: Sequence[Any]
+) -> tuple[tuple[int, int] | None, tuple[int, int]]:
+    """Control points in u and v, None where they are both 0, and the degrees."""
+    p, q = (whole_number(f"degree in {u}", own, 1) for u, own in zip("uv", degree, strict=True))
+    if all(count == 0 for count in control_points):
+        return None, (p, q)
+    m, n = (
+        whole_number(f"number of control points in {u}", count, own + 1)
+        for u, count, own in zip("uv", control_points, (p, q), strict=True)
+    )
+    return (m, n), (p, q)

@@ -13,7 +13,7 @@ from ..geometry import BSplineSurface
 from ..scanning import Progress
 from ..surfacing.compensated_segment import compensated_segment
 from .cloud_cache import point_cloud
-from .lengths import positive_length
+from .given_numbers import positive_length
 
 __all__ = ["points_near_base"]
 

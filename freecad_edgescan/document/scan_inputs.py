@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..scanning import Gate, ScanError, ScanParameters, Start
+from ..scanning.start import numbers
 from .cloud_cache import cloud_checksum
 from .scanned_edge_properties import AUTOMATIC, CHOICES, LENGTHS, METHODS, SCHEMA_VERSION
 
@@ -111,7 +112,7 @@ def read_inputs(obj: Any) -> ScanInputs:
         values[field] = None if choice == AUTOMATIC else choice
     values["probe_radius"] = obj.ProbeRadius.Value if obj.OwnProbeRadius else None
     values["approach"] = _direction(obj.Approach)
-    place = np.array(obj.At, dtype=float)
+    place = checked_point("click", tuple(obj.At))
     at: Array | Start = place
     across, along = _direction(obj.Across), _direction(obj.Along)
     if across is not None:
@@ -123,7 +124,7 @@ def read_inputs(obj: Any) -> ScanInputs:
         at = Start(place, across, along)
     gate: Array | Gate | None = None
     if obj.UseGate:
-        end = np.array(obj.Gate, dtype=float)
+        end = checked_point("gate", tuple(obj.Gate))
         gate_across = _direction(obj.GateAcross)
         gate = end if gate_across is None else Gate(end, gate_across)
     min_angle = float(np.radians(obj.MinAngle.Value)) or None
@@ -172,11 +173,8 @@ def checked_point(name: str, value: ArrayLike) -> Array:
     ------
     ScanError: no three finite numbers.
     """
-    try:
-        point = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        point = np.zeros(0)
-    if point.shape != (3,) or not np.all(np.isfinite(point)):
+    point = numbers(value)
+    if point is None:
         raise ScanError(f"The {name} is {value!r}; give three finite coordinates in mm.")
     return point
 

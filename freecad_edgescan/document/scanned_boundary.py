@@ -12,13 +12,15 @@ from typing import Any
 import FreeCAD
 import numpy as np
 import Part
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..scanning import ScannedEdge, scan_boundary
+from ..scanning.automatic import MIN_ANGLE
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared, Role
+from .given_numbers import least_angle
 from .linked_geometry import require_cloud
 from .native_curve import vector
 from .native_edge import edge_shape
@@ -75,7 +77,7 @@ def make_scanned_boundary(
     ValueError: no cloud, or places that are no three finite numbers.
     """
     require_cloud(cloud)
-    places = checked_point("place near the edge", at), checked_point("place inside", inside)
+    places = _places(at, inside)
     obj = doc.addObject("Part::FeaturePython", name)
     ScannedBoundaryProxy(obj)
     obj.Cloud = cloud
@@ -96,10 +98,9 @@ class ScannedBoundaryProxy(ComputedProxy):
 
     def task(self, obj: Any) -> Task:
         """What scans the edges."""
-        cloud, at, inside = point_cloud(obj.Cloud), tuple(obj.At), tuple(obj.Inside)
-        angle = obj.MinAngle.Value
-        choices: dict[str, Any] = {"min_angle": float(np.radians(angle))} if angle else {}
-        return lambda progress: scan_boundary(cloud, at, inside, progress=progress, **choices)
+        cloud, at, inside = point_cloud(obj.Cloud), *_places(tuple(obj.At), tuple(obj.Inside))
+        angle = least_angle(np.radians(obj.MinAngle.Value)) if obj.MinAngle.Value else MIN_ANGLE
+        return lambda progress: scan_boundary(cloud, at, inside, min_angle=angle, progress=progress)
 
     def write(self, obj: Any, result: Sequence[ScannedEdge]) -> None:
         """Write the edges in order."""
@@ -121,6 +122,10 @@ class ScannedBoundaryProxy(ComputedProxy):
         else:
             obj.Message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
         obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+
+
+def _places(at: ArrayLike, inside: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    return checked_point("place near the edge", at), checked_point("place inside", inside)
 
 
 def is_closed(edges: Sequence[ScannedEdge]) -> bool:

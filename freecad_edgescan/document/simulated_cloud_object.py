@@ -14,7 +14,7 @@ from .cloud_object import make_cloud
 from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
-from .lengths import length_or_zero, positive_length
+from .given_numbers import length_or_zero, positive_length, whole_number
 from .linked_geometry import face_inputs, linked_faces, require_shape
 from .simulated_shape import simulate_cloud
 
@@ -67,11 +67,12 @@ def make_simulated_cloud(
     require_shape("part", [source])
     pitch, noise = positive_length("pitch", pitch), length_or_zero("noise", noise)
     probe_radius = length_or_zero("probe radius", probe_radius)
+    seed = whole_number("seed", seed, 0)
     obj = doc.addObject("Points::FeaturePython", name)
     SimulatedCloudProxy(obj)
     obj.Source = source
     obj.Pitch, obj.Noise, obj.ProbeRadius = pitch, noise, probe_radius
-    obj.Seed = int(seed)
+    obj.Seed = seed
     return obj
 
 
@@ -94,7 +95,7 @@ def make_core_box(doc: Any, pitch: float = 0.5, small: bool = False, name: str =
     ValueError: no document, or a pitch that cannot work.
     """
     box = CoreBox.small() if small else CoreBox()
-    return make_cloud(doc, box.cloud(pitch), name=name)
+    return make_cloud(doc, box.cloud(positive_length("pitch", pitch)), name=name)
 
 
 class SimulatedCloudProxy(ComputedCloudProxy):

@@ -18,7 +18,7 @@ from scipy.spatial import cKDTree
 
 from ..cloud.simulated_cloud import SimulatedCloud
 from .contacts import Contacts
-from .lengths import length_or_zero, positive_length
+from .given_numbers import length_or_zero, positive_length, whole_number
 from .nurbs_face import NurbsFace
 from .rolling_ball import ball_contacts, without_collisions
 from .sharp_edges import true_edges
@@ -103,8 +103,7 @@ def _check(shape: Any, pitch: float, noise: float, probe_radius: float, seed: in
     positive_length("pitch", pitch)
     length_or_zero("noise", noise)
     length_or_zero("probe radius", probe_radius)
-    if seed < 0:
-        raise ValueError(f"The seed is {seed}; give 0 or a larger whole number.")
+    whole_number("seed", seed, 0)
 
 
 def _spread(points: Array, distance: float) -> NDArray[np.intp]:

@@ -17,7 +17,7 @@ from ..scanning import Progress
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
-from .lengths import positive_length
+from .given_numbers import positive_length
 from .linked_geometry import face_inputs, linked_faces, require_shape
 
 __all__ = ["SurfaceIntersectionProxy", "make_surface_intersection"]
@@ -80,7 +80,7 @@ class SurfaceIntersectionProxy(ComputedProxy):
         first, second = (
             Part.Compound(linked_faces(own, "surface")) for own in (obj.First, obj.Second)
         )
-        tolerance = obj.Tolerance.Value
+        tolerance = positive_length("tolerance", obj.Tolerance.Value)
         labels = obj.First.Label, obj.Second.Label
 
         def intersect(_progress: Progress | None) -> list[Any]:

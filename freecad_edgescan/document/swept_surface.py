@@ -28,7 +28,7 @@ from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .exact_sweep import exact_shape
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
-from .lengths import positive_length
+from .given_numbers import length_or_zero, positive_length, whole_number
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
@@ -37,6 +37,8 @@ __all__ = ["SweptSurfaceProxy", "make_swept_surface"]
 
 BETTER = "better"
 MODELS = (BETTER, *(str(model.value) for model in SweepModel))
+
+_FEWEST_POLES = 4  # a cubic has that many
 
 _PROPERTIES = (
     Declared("LinkListGlobal", "Rails", "Sweep", "One or two curves along which profiles move"),
@@ -126,11 +128,12 @@ def make_swept_surface(
     if model not in MODELS:
         raise ValueError(f"There is no sweep model {model!r}; choose {', '.join(MODELS)}.")
     distance = positive_length("distance", distance)
+    rail_poles, profile_poles = _poles(*control_points)
     obj = doc.addObject("Part::FeaturePython", name)
     SweptSurfaceProxy(obj)
     obj.Rails, obj.Profiles, obj.Cloud = rails, profiles, cloud
     obj.Model = str(model)
-    obj.RailPoles, obj.ProfilePoles = (int(count) for count in control_points)
+    obj.RailPoles, obj.ProfilePoles = rail_poles, profile_poles
     obj.Distance, obj.CutRails = distance, bool(cut_rails)
     return obj
 
@@ -162,9 +165,12 @@ class SweptSurfaceProxy(ComputedProxy):
         profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
         both = obj.Model == BETTER
         model = SweepModel.ROTATE if both else SweepModel(obj.Model)
-        gap, cut = obj.LargestGap.Value, bool(obj.CutRails)
+        gap = length_or_zero("largest gap", obj.LargestGap.Value)
+        cut = bool(obj.CutRails)
+        if obj.Cloud is None:
+            positive_length("tolerance", obj.Tolerance.Value)
         near = None if obj.Cloud is None else points_near_base(obj.Cloud, obj.Distance.Value)
-        poles = int(obj.RailPoles), int(obj.ProfilePoles)
+        poles = _poles(obj.RailPoles, obj.ProfilePoles)
 
         def sweep(progress: Progress | None) -> SweptFit | SweptSurface:
             base = SweptSurface(rails, profiles, model, largest_gap=gap, cut_rails=cut)
@@ -201,3 +207,11 @@ class SweptSurfaceProxy(ComputedProxy):
             obj.ModelUsed = str(sweep.model.value)
         origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
         obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))
+
+
+def _poles(rail: Any, profile: Any) -> tuple[int, int]:
+    """Control points of each fitted rail and of each fitted profile."""
+    return (
+        whole_number("number of control points of a rail", rail, _FEWEST_POLES),
+        whole_number("number of control points of a profile", profile, _FEWEST_POLES),
+    )

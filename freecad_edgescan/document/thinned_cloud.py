@@ -15,7 +15,7 @@ from .cloud_cache import cloud_checksum, point_cloud
 from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared
-from .lengths import positive_length
+from .given_numbers import positive_length
 from .linked_geometry import require_cloud
 
 __all__ = ["ThinnedCloudProxy", "make_thinned_cloud"]
@@ -74,7 +74,7 @@ class ThinnedCloudProxy(ComputedCloudProxy):
 
     def task(self, obj: Any) -> Task:
         """What thins the cloud."""
-        cloud, pitch = point_cloud(obj.Cloud), obj.Pitch.Value
+        cloud, pitch = point_cloud(obj.Cloud), positive_length("pitch", obj.Pitch.Value)
         return lambda progress: thin_cloud(cloud, pitch, progress)
 
     def write(self, obj: Any, result: PartOfCloud) -> None:

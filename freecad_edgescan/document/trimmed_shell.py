@@ -23,7 +23,7 @@ from ..geometry.place_text import place_text
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .declared_properties import Declared
-from .lengths import positive_length
+from .given_numbers import positive_length
 from .linked_geometry import face_inputs, linked_curve, linked_faces, require_shape
 from .native_surface import surface_of
 
@@ -103,7 +103,7 @@ class TrimmedShellProxy(ComputedProxy):
         """What trims and sews."""
         labelled = _labelled_faces(obj.Surfaces)
         surfaces = [surface_of(face) for _, face in labelled]
-        tolerance = obj.Tolerance.Value
+        tolerance = positive_length("tolerance", obj.Tolerance.Value)
         edges = [
             shape
             for item in obj.Edges
