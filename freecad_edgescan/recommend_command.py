@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import argparse
 
-from freecad_edgescan.command_options import given_parameters
 from freecad_edgescan.file_unit import read_in_mm
+from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import ScanError, ScanParameters, recommend_parameters
 
 __all__ = ["recommend_for_file"]

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from freecad_edgescan.cloud import PointCloud
-from freecad_edgescan.command_options import given_parameters
 from freecad_edgescan.edge_table import edge_table
 from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.output_files import PICTURES, check_not_the_scan, check_output
+from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import (
     Gate,
     ScannedEdge,

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
 import numpy as np
 import Part
 
@@ -21,6 +20,7 @@ from ..surfacing import CrossSection, cross_section
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .given_numbers import length_or_zero, share_of_rail
 from .linked_geometry import linked_curve, require_cloud, require_shape
@@ -136,15 +136,12 @@ class CloudSectionProxy(ComputedProxy):
         """Write the profile."""
         section = result
         shape = _edge(section)
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, section.message, origin_of(obj.Cloud))
         obj.KindUsed = str(section.kind.value)
         circle = section.primitive
         obj.Radius = float(circle.radius) if isinstance(circle, Circle) else 0.0
         obj.Average, obj.Maximum = section.average, section.maximum
         obj.PointCount = len(section.points)
-        obj.Message = section.message
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
 
 
 def _surface_points(

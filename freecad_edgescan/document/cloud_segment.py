@@ -11,8 +11,8 @@ from typing import Any
 
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum
-from .computed_cloud import ComputedCloudProxy, write_points
-from .computed_object import MESSAGE, ORIGIN, Task, result
+from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
+from .computed_object import Task, result
 from .declared_properties import Declared
 from .given_numbers import positive_length
 from .linked_geometry import linked_surface, require_cloud, require_shape
@@ -25,9 +25,7 @@ _PROPERTIES = (
     Declared("LinkGlobal", "Base", "Segment", "Surface near the points, such as a swept surface"),
     Declared("Distance", "Distance", "Segment", "Of the surface from the base surface, at most"),
     result("Length", "ProbeRadius", "Always 0: the points lie on the part's surface"),
-    result("Integer", "PointCount", "Number of points"),
-    MESSAGE,
-    ORIGIN,
+    *WRITTEN_POINTS,
 )
 
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
 import numpy as np
 
 from ..scanning import EdgeNetwork, Progress, find_edges
@@ -17,6 +16,7 @@ from ..scanning.automatic import MIN_ANGLE
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .edge_network_shape import network_shape
 from .given_numbers import least_angle, length_or_zero
@@ -112,8 +112,7 @@ class EdgeNetworkProxy(ComputedProxy):
     def write(self, obj: Any, result: EdgeNetwork) -> None:
         """Write the edges and their corners."""
         shape = network_shape(result)
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, result.message, origin_of(obj.Cloud))
         obj.EdgeCount, obj.CornerCount = len(result), len(result.corners)
         obj.TotalLength = result.length
         obj.Corners = [vector(corner) for corner in result.corners]
@@ -121,5 +120,3 @@ class EdgeNetworkProxy(ComputedProxy):
         obj.Sigmas = [float(np.median(edge.sigma)) for edge in result.edges]
         obj.Angles = [float(np.degrees(np.median(edge.angle))) for edge in result.edges]
         obj.Ends = [f"{start} to {end}" for start, end in result.ends]
-        obj.Message = result.message
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))

@@ -9,12 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
-
 from ..geometry import BSplineSurface
 from ..surfacing import Side, extend_surface
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .given_numbers import finite_number, positive_number
 from .linked_geometry import linked_surface, require_shape
@@ -105,7 +104,4 @@ class ExtendedSurfaceProxy(ComputedProxy):
     def write(self, obj: Any, result: BSplineSurface) -> None:
         """Write the longer surface."""
         shape = surface_shape(result)
-        shape.Placement = obj.Placement
-        obj.Shape = shape
-        obj.Message = ""
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Base))
+        write_shape(obj, shape, "", origin_of(obj.Base))

@@ -10,8 +10,6 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-import FreeCAD
-
 from ..cloud import compensate_cloud
 from ..cloud.progress import Stage
 from ..geometry import BSplineSurface
@@ -20,6 +18,7 @@ from ..surfacing import SurfaceFit, base_surface, fit_surface
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
 from .given_numbers import length_or_zero, positive_length, whole_number
@@ -174,11 +173,8 @@ class FittedSurfaceProxy(ComputedProxy):
     def write(self, obj: Any, result: SurfaceFit) -> None:
         """Write surface and numbers."""
         shape = surface_shape(result.surface)
-        shape.Placement = obj.Placement
-        obj.Shape = shape
-        obj.Message = result.message
+        write_shape(obj, shape, result.message, origin_of(obj.Cloud))
         write_fit_numbers(obj, result)
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
 
 
 def _form(

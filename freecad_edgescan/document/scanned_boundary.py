@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-import FreeCAD
 import numpy as np
 import Part
 from numpy.typing import ArrayLike, NDArray
@@ -19,6 +18,7 @@ from ..scanning.automatic import MIN_ANGLE
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared, Role
 from .given_numbers import least_angle
 from .linked_geometry import require_cloud
@@ -106,8 +106,6 @@ class ScannedBoundaryProxy(ComputedProxy):
         """Write the edges in order."""
         shapes = [edge_shape(edge) for edge in result if len(edge.points) >= 2]
         shape = Part.Compound(shapes)
-        shape.Placement = obj.Placement
-        obj.Shape = shape
         sigma = np.concatenate([edge.sigma for edge in result])
         obj.Points = [vector(point) for edge in result for point in edge.points]
         obj.Sigma = sigma.tolist()
@@ -118,10 +116,10 @@ class ScannedBoundaryProxy(ComputedProxy):
         obj.MeanSigma, obj.LargestSigma = float(sigma.mean()), float(sigma.max())
         obj.Stops = [result[0].stops[0].name, result[-1].stops[1].name]
         if is_closed(result):
-            obj.Message = f"{len(result)} edges, which close round the face."
+            message = f"{len(result)} edges, which close round the face."
         else:
-            obj.Message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+            message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
+        write_shape(obj, shape, message, origin_of(obj.Cloud))
 
 
 def _places(at: ArrayLike, inside: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:

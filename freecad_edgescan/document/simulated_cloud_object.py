@@ -11,8 +11,8 @@ from typing import Any
 
 from ..cloud import CoreBox, SimulatedCloud
 from .cloud_object import make_cloud
-from .computed_cloud import ComputedCloudProxy, write_points
-from .computed_object import MESSAGE, ORIGIN, Task, result
+from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
+from .computed_object import Task
 from .declared_properties import Declared
 from .given_numbers import length_or_zero, positive_length, whole_number
 from .linked_geometry import face_inputs, linked_faces, require_shape
@@ -32,9 +32,7 @@ _PROPERTIES = (
         "Radius of the ball whose centres the cloud holds; 0: the points lie on the surface",
     ),
     Declared("Integer", "Seed", _GROUP, "The same seed gives the same cloud"),
-    result("Integer", "PointCount", "Number of points"),
-    MESSAGE,
-    ORIGIN,
+    *WRITTEN_POINTS,
 )
 
 

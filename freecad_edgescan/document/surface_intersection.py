@@ -10,12 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
 import Part
 
 from ..scanning import Progress
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .given_numbers import positive_length
 from .linked_geometry import face_inputs, linked_faces, require_shape
@@ -100,9 +100,6 @@ class SurfaceIntersectionProxy(ComputedProxy):
         wires = result
         shape = wires[0] if len(wires) == 1 else Part.Compound(wires)
         shape = shape.Edges[0] if len(shape.Edges) == 1 else shape
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, "", origin_of(obj.First))
         obj.CurveCount = len(wires)
         obj.Length = sum(float(wire.Length) for wire in wires)
-        obj.Message = ""
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.First))

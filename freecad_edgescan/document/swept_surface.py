@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-import FreeCAD
 import numpy as np
 
 from ..cloud.progress import Stage
@@ -25,6 +24,7 @@ from ..surfacing import (
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .exact_sweep import exact_shape
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
@@ -197,16 +197,14 @@ class SweptSurfaceProxy(ComputedProxy):
         kinds = () if sweep is None else sweep_kinds(sweep, tolerance)
         exact = exact_shape(sweep, kinds) if obj.Exact and sweep is not None else None
         shape = surface_shape(surface) if exact is None else exact
-        shape.Placement = obj.Placement
-        obj.Shape = shape
         missing = obj.Exact and exact is None
         said = "The sweep is neither an extrusion nor a revolution." if missing else ""
-        obj.Message = f"{result.message} {said}".strip()
         obj.Kinds = [str(kind.value) for kind in kinds]
         if sweep is not None:
             obj.ModelUsed = str(sweep.model.value)
         origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
-        obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))
+        origin = next((own for own in origins if np.any(own)), np.zeros(3))
+        write_shape(obj, shape, f"{result.message} {said}".strip(), origin)
 
 
 def _poles(rail: Any, profile: Any) -> tuple[int, int]:

@@ -12,8 +12,8 @@ from typing import Any
 from ..cloud import PartOfCloud, thin_cloud
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
-from .computed_cloud import ComputedCloudProxy, write_points
-from .computed_object import MESSAGE, ORIGIN, Task, result
+from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
+from .computed_object import Task, result
 from .declared_properties import Declared
 from .given_numbers import positive_length
 from .linked_geometry import require_cloud
@@ -30,9 +30,7 @@ _PROPERTIES = (
     ),
     result("Length", "ProbeRadius", "Radius of the ball whose centres the points are"),
     result("Vector", "Approach", "Direction the probe came along; (0, 0, 0): not known"),
-    result("Integer", "PointCount", "Number of points"),
-    MESSAGE,
-    ORIGIN,
+    *WRITTEN_POINTS,
 )
 
 

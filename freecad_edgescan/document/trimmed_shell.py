@@ -14,7 +14,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import FreeCAD
 import numpy as np
 import Part
 
@@ -22,6 +21,7 @@ from ..geometry import BSplineCurve, BSplineSurface
 from ..geometry.place_text import place_text
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .given_numbers import positive_length
 from .linked_geometry import face_inputs, linked_curve, linked_faces, require_shape
@@ -115,12 +115,9 @@ class TrimmedShellProxy(ComputedProxy):
     def write(self, obj: Any, result: _Sewn) -> None:
         """Write shape and figures."""
         shape = result.shape
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, result.message, origin_of(obj.Surfaces[0]))
         obj.Closed, obj.FaceCount = result.closed, len(shape.Faces)
         obj.Area = float(shape.Area)
-        obj.Message = result.message
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Surfaces[0]))
 
 
 @dataclass(frozen=True, eq=False)
