@@ -15,8 +15,8 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.command_options import read_options
-from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
 
@@ -90,7 +90,7 @@ def _info(options: argparse.Namespace) -> int:
         check_output(options.picture, PICTURES, options.file)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the table below counts what was dropped
-        cloud = read_in_mm(options.file, options.unit)
+        cloud = cloud_of(options)
     if options.picture:  # before anything is printed: its reader may go away
         from freecad_edgescan.experiments import draw_cloud
 

@@ -45,10 +45,10 @@ class _Parser(argparse.ArgumentParser):
 def read_options(words: Sequence[str]) -> argparse.Namespace:
     """What the words of a command line ask for; a wrong one is a sentence and exit code 2."""
     parser = _parser()
-    options, unknown = parser.parse_known_args(_bind_negative_values(words))
+    options, unknown = parser.parse_known_args(_as_values(words))
     if unknown:
         parser.prog += f" {options.command}"
-        word = unknown[0]
+        word = unknown[0].strip()
         if word.startswith("-"):
             parser.error(f"{options.command} has no option {word}")
         if hasattr(options, "file"):
@@ -127,12 +127,6 @@ def _add_command(
     return parser
 
 
-def _bind_negative_values(words: Sequence[str]) -> list[str]:
-    """Write ``--at -1,2,3`` as ``--at=-1,2,3``, which argparse would take for an option."""
-    bound: list[str] = []
-    for word in words:
-        if bound and re.match(r"-\.?\d", word) and re.fullmatch(r"--[a-z-]+", bound[-1]):
-            bound[-1] += f"={word}"
-        else:
-            bound.append(word)
-    return bound
+def _as_values(words: Sequence[str]) -> list[str]:
+    """Put a blank before ``-1,2,3``, which argparse would take for an option without it."""
+    return [f" {word}" if re.fullmatch(r"-\.?\d[-+\d.,;eE]*", word) else word for word in words]

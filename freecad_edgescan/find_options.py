@@ -15,7 +15,7 @@ its mean standard deviation, the turn between its sides, and the radius of its r
 
 examples:
   edgescan find part.ply -o edges.step --csv edges.csv --picture net.png
-  edgescan find part.ply --min-angle 30 --low 0,0,0 --high 50,50,20
+  edgescan find part.ply --min-angle 30 --region 0,0,0 50,50,20
 """
 
 
@@ -30,8 +30,6 @@ def add_find_options(find: argparse.ArgumentParser) -> None:
         "--min-length", type=number, metavar="MM",
         help="of an edge (default: eight times the cloud's pitch)",
     )  # fmt: skip
-    find.add_argument("--low", type=vector, metavar="X,Y,Z", help="lowest corner of a box ...")
-    find.add_argument("--high", type=vector, metavar="X,Y,Z", help="... in which to look only")
     find.add_argument(
         "-o", "--output", type=Path, metavar="FILE.step", help="edges for CAD (needs FreeCAD)"
     )

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 import re
 
-from freecad_edgescan.file_unit import UNITS
+from freecad_edgescan.cloud_file import UNITS
 
 __all__ = ["Vector", "add_file", "add_probe", "number", "vector", "whole_number"]
 
@@ -14,11 +14,16 @@ Vector = tuple[float, float, float]
 
 
 def add_file(command: argparse.ArgumentParser) -> None:
-    """The cloud's file and its unit."""
+    """The cloud's file, its unit, and the part of it that is read."""
     command.add_argument("file", help=".xyz .txt .asc .csv .ply .pcd")
     command.add_argument(
         "--unit", choices=UNITS, help="of the file (default: mm); all the rest is mm"
     )
+    command.add_argument(
+        "--region", type=vector, nargs=2, metavar="X,Y,Z",
+        help="lowest and highest corner of a box; only points in it are read, however large the "
+        "file is",
+    )  # fmt: skip
 
 
 def add_probe(command: argparse.ArgumentParser) -> None:
@@ -34,8 +39,9 @@ def add_probe(command: argparse.ArgumentParser) -> None:
 
 def vector(text: str) -> Vector:
     """A value such as 1.5,-2,30."""
+    text = text.strip()
     try:
-        x, y, z = (float(part) for part in re.split(r"[,;\s]+", text.strip()))
+        x, y, z = (float(part) for part in re.split(r"[,;\s]+", text))
     except ValueError:
         words = f"{text!r} is not three numbers"
         way = "write them with commas and without blanks, such as 1.5,-2,30"

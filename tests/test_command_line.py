@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -191,6 +192,48 @@ def test_a_cloud_in_another_unit_is_read_in_mm(
     said = capsys.readouterr()
     assert float(said.out.splitlines()[2].split()[2]) == pytest.approx(40, abs=2 * PITCH)
     assert said.err == ""
+
+
+def test_only_a_region_of_the_cloud_is_read(capsys, roof_file: Path) -> None:
+    """Its corners may be negative, and stand where they like among the words."""
+    region = ["--region", "-5,-5,-50", "-1.5e0,5,50"]
+    for words in (["info", *region, str(roof_file)], ["info", str(roof_file), *region]):
+        assert main(words) == 0
+        rows = capsys.readouterr().out.splitlines()
+        low, high = (float(rows[2].split()[column]) for column in (1, 3))
+        assert -5.0 <= low < -4.0
+        assert -2.5 < high <= -1.5
+
+
+@pytest.mark.parametrize("command", ["info", "find", "scan --at 0,0,0", "recommend --at 0,0,0"])
+def test_a_region_beside_the_cloud_is_one_sentence_with_the_clouds_box(
+    capsys, roof_file: Path, command: str
+) -> None:
+    words = [*command.split(), "--region", "900,900,900", "901,901,901", str(roof_file)]
+    assert main(words) == 2
+    assert re.fullmatch(
+        r"edgescan: No point of .*, which reaches from \(.*\) to \(.*\), lies in the region "
+        r"\(900, 900, 900\) to \(901, 901, 901\)\. Take a region that overlaps the cloud\.\n",
+        capsys.readouterr().err,
+    )
+
+
+@pytest.mark.parametrize(
+    ("region", "said"),
+    [
+        (["1,1,1", "0,0,0"], "is no box"),
+        (["1,1,1"], "expected 2 arguments"),
+        (["1,1", "-2,2,2"], "'1,1' is not three numbers"),
+        (["1,1,1", "-2,x,2"], "expected 2 arguments"),
+    ],
+)
+def test_what_is_no_region_is_said(capsys, roof_file: Path, region: list[str], said: str) -> None:
+    try:
+        code = main(["info", str(roof_file), "--region", *region])
+    except SystemExit as stopped:
+        code = stopped.code
+    assert code == 2
+    assert said in capsys.readouterr().err
 
 
 def test_a_cloud_that_looks_like_metres_is_remarked_on(capsys, tmp_path: Path) -> None:
