@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A cloud's file in blocks of points, so that memory holds what is kept of it and not the file.
 
-A binary file is mapped: the system reads a page of it when a block needs it, and may drop it after.
+Where a binary file does not say where things are, it is mapped: the system reads a page of it when
+that is looked at, and may drop it afterwards.
 """
 
 from __future__ import annotations
@@ -38,10 +39,15 @@ def mapped(path: Path) -> Bytes:
         return mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ)
 
 
-def table_blocks(body: Bytes, row: np.dtype, start: int, count: int, rows: int = ROWS) -> Blocks:
-    """Points of a table of so many rows, with fields x, y and z, that begins at a byte."""
-    for first in range(0, count, rows):
-        begin, size = start + first * row.itemsize, min(rows, count - first)
-        table = np.frombuffer(body, row, size, begin)
-        points = np.stack([table[axis].astype(np.float64) for axis in "xyz"], axis=1)
-        yield Block(points, (begin + size * row.itemsize) / len(body))
+def table_blocks(path: Path, row: np.dtype, start: int, count: int, rows: int = ROWS) -> Blocks:
+    """Points of a table of so many rows that begins at a byte of a file, with fields x, y and z."""
+    size = path.stat().st_size
+    with path.open("rb") as stream:
+        stream.seek(start)
+        for first in range(0, count, rows):
+            table = np.fromfile(stream, row, min(rows, count - first))
+            points = np.empty((len(table), 3))
+            for column, axis in enumerate("xyz"):
+                points[:, column] = table[axis]
+            del table  # before the points go on
+            yield Block(points, stream.tell() / size)

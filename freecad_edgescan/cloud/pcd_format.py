@@ -60,7 +60,7 @@ def pcd_blocks(path: Path, rows: int = ROWS) -> Blocks:
     if header.data == "ascii":
         yield from _ascii_blocks(path, header, rows)
     elif header.data == "binary":
-        yield from _blocks_of_rows(mapped(path), header, path.name, rows)
+        yield from _blocks_of_rows(path, header, rows)
     else:
         yield from _blocks_of_columns(mapped(path), header, path.name, rows)
 
@@ -135,7 +135,7 @@ def _ascii_blocks(path: Path, header: _Header, rows: int) -> Blocks:
         )
 
 
-def _blocks_of_rows(body: Bytes, header: _Header, name: str, rows: int) -> Blocks:
+def _blocks_of_rows(path: Path, header: _Header, rows: int) -> Blocks:
     offsets = list(accumulate(header.widths, initial=0))
     places = [header.names.index(axis) for axis in "xyz"]
     row = np.dtype(
@@ -146,10 +146,10 @@ def _blocks_of_rows(body: Bytes, header: _Header, name: str, rows: int) -> Block
             "itemsize": offsets[-1],
         }
     )
-    found = (len(body) - header.size) // row.itemsize
+    found = (path.stat().st_size - header.size) // row.itemsize
     if found < header.points:
-        _complain_of_end(header.points, found, name)
-    yield from table_blocks(body, row, header.size, header.points, rows)
+        _complain_of_end(header.points, found, path.name)
+    yield from table_blocks(path, row, header.size, header.points, rows)
 
 
 def _blocks_of_columns(body: Bytes, header: _Header, name: str, rows: int) -> Blocks:

@@ -42,7 +42,7 @@ def ply_blocks(path: Path, rows: int = ROWS) -> Blocks:
         start = _end_of(body, start, element, order, path.name)
     row = _fixed_row(body, start, vertex, order, path.name)
     if row is not None:
-        yield from table_blocks(body, row, start, vertex.count, rows)
+        yield from table_blocks(path, row, start, vertex.count, rows)
     else:
         yield from _ragged_blocks(body, start, vertex, order, path.name, rows)
 
