@@ -16,7 +16,11 @@ def add_bench_options(bench: argparse.ArgumentParser) -> None:
     bench.add_argument(
         "--points", type=whole_number, default=1_000_000, metavar="N", help="cloud size"
     )
-
+    bench.add_argument(
+        "--sizes", nargs="*", type=whole_number, metavar="N",
+        help="instead: one edge from file to curve in clouds of so many points, seconds and bytes "
+        "(none: from 100000 to 10000000, in about a minute)",
+    )  # fmt: skip
     bench.add_argument(
         "--parts", nargs="*", type=Path, metavar="FILE",
         help="instead: find all edges in simulated scans of these parts (.step .iges .brep; "
