@@ -75,8 +75,8 @@ class SizeCost:
     mean_error: float
 
     HEADER = (
-        "              file   region  only   read  index search   scan  curve   file to   bytes a    edge     mean\n"
-        "   points       MB        s    MB      s      s      s      s      s  curve, s     point  points error mm"
+        "            file region  only  read index search  scan curve  file to bytes a   edge  error\n"
+        "   points     MB      s    MB     s     s      s     s     s  curve s   point points     mm"
     )
 
     @property
@@ -87,11 +87,11 @@ class SizeCost:
     def text(self) -> str:
         """One row below `HEADER`."""
         return (
-            f"{self.points:9d} {self.file_bytes / 1e6:8.1f} "
-            f"{self.cropping:8.2f} {self.crop_peak / 1e6:5.1f} {self.reading:6.2f} "
-            f"{self.indexing:6.2f} {self.searching:6.2f} {self.scanning:6.3f} {self.curve:6.3f} "
-            f"{self.file_to_curve:9.2f} {self.bytes_per_point:9.0f} {self.edge_points:7d} "
-            f"{self.mean_error:8.4f}"
+            f"{self.points:9d} {self.file_bytes / 1e6:6.1f} "
+            f"{self.cropping:6.2f} {self.crop_peak / 1e6:5.1f} {self.reading:5.2f} "
+            f"{self.indexing:5.2f} {self.searching:6.2f} {self.scanning:5.2f} {self.curve:5.2f} "
+            f"{self.file_to_curve:8.2f} {self.bytes_per_point:7.0f} {self.edge_points:6d} "
+            f"{self.mean_error:6.4f}"
         )
 
 
