@@ -107,7 +107,7 @@ def make_cloud(
     obj = doc.addObject("Points::Feature", name)
     if path is not None:
         obj.Label = path.stem
-    obj.Points = kernel_from_array(UNITS[unit] * numbers.points - origin)
+    obj.Points = kernel_from_array(numbers.points, UNITS[unit], origin)
     declare(obj, _PROPERTIES)
     obj.ProbeRadius = checked.probe_radius
     if checked.approach is not None:

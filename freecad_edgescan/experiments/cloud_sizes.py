@@ -75,8 +75,8 @@ class SizeCost:
     mean_error: float
 
     HEADER = (
-        "            file region  only  read index search  scan curve  file to bytes a   edge  error\n"
-        "   points     MB      s    MB     s     s      s     s     s  curve s   point points     mm"
+        "            file  crop  crop  read index search  scan curve file to bytes/   edge  error\n"
+        "   points     MB     s    MB     s     s      s     s     s curve s  point points     mm"
     )
 
     @property
@@ -88,9 +88,9 @@ class SizeCost:
         """One row below `HEADER`."""
         return (
             f"{self.points:9d} {self.file_bytes / 1e6:6.1f} "
-            f"{self.cropping:6.2f} {self.crop_peak / 1e6:5.1f} {self.reading:5.2f} "
+            f"{self.cropping:5.2f} {self.crop_peak / 1e6:5.1f} {self.reading:5.2f} "
             f"{self.indexing:5.2f} {self.searching:6.2f} {self.scanning:5.2f} {self.curve:5.2f} "
-            f"{self.file_to_curve:8.2f} {self.bytes_per_point:7.0f} {self.edge_points:6d} "
+            f"{self.file_to_curve:7.2f} {self.bytes_per_point:6.0f} {self.edge_points:6d} "
             f"{self.mean_error:6.4f}"
         )
 
