@@ -99,22 +99,39 @@ def origin_of(obj: Any) -> Array:
 def kernel_from_array(points: ArrayLike, scale: float = 1.0, origin: ArrayLike = 0.0) -> Any:
     """Make a Points kernel of scale · points - origin, (n, 3); its coordinates become float32."""
     rows = np.asarray(points).reshape(-1, 3)
-    archive = io.BytesIO()
     kernel = Points.Points()
     try:
-        with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as file:
-            file.writestr("Persistence.xml", _HEADER)
-            with file.open("Points", "w") as stream:
-                stream.write(struct.pack("<I", len(rows)))
-                for first in range(0, len(rows), _ROWS):
-                    block = scale * rows[first : first + _ROWS] - np.asarray(origin)
-                    stream.write(block.astype("<f4").data)
-        kernel.restoreContent(archive.getvalue())
+        _restore(kernel, _archive_of(rows, scale, origin))
         if kernel.CountPoints == len(rows):
             return kernel
     except (RuntimeError, OSError, zipfile.BadZipFile, FreeCAD.Base.FreeCADError):
         pass
     return kernel_from_array_by_list(scale * rows - np.asarray(origin))
+
+
+def _archive_of(rows: NDArray[Any], scale: float, origin: ArrayLike) -> NDArray[np.uint8]:
+    """What a kernel of these points would write, as bytes."""
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_STORED) as file:
+        file.writestr("Persistence.xml", _HEADER)
+        with file.open("Points", "w") as stream:
+            stream.write(struct.pack("<I", len(rows)))
+            for first in range(0, len(rows), _ROWS):
+                block = scale * rows[first : first + _ROWS] - np.asarray(origin)
+                stream.write(block.astype("<f4").data)
+    return np.frombuffer(archive.getbuffer(), np.uint8).copy()
+
+
+def _restore(kernel: Any, archive: NDArray[np.uint8]) -> None:
+    """Let a kernel read an archive, whose bytes are gone afterwards.
+
+    FreeCAD 0.20 to 1.0 never releases what it reads from (PersistencePy::restoreContent), so that
+    each cloud would be in memory once more for ever. Of an array at least the content can go.
+    """
+    try:
+        kernel.restoreContent(archive)
+    finally:
+        archive.resize(0, refcheck=False)
 
 
 def kernel_from_array_by_list(points: ArrayLike) -> Any:

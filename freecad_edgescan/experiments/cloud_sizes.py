@@ -29,7 +29,7 @@ from .peak_memory import memory_now, peak_memory
 from .processes import Failure, map_in_processes
 from .speed import simulated_cloud
 
-__all__ = ["SIZES", "SizeCost", "measure_sizes", "slope"]
+__all__ = ["SIZES", "SizeCost", "measure_sizes", "slope", "write_copies"]
 
 Array = NDArray[np.float64]
 Result = TypeVar("Result")
@@ -121,7 +121,9 @@ def measure_sizes(
         if not tell(share, now):
             return
         with TemporaryDirectory() as folder:
-            task = _written(size, one, Path(folder) / "cloud.ply")
+            file = Path(folder) / "cloud.ply"
+            write_copies(one, size, file)
+            task = _Task(file, one.edges[0], one.bounds, simulated_cloud(FEWEST))
             cost = _in_a_fresh_process(task, partial(tell, share, now))
         if cost is None:
             return
@@ -148,12 +150,19 @@ class _Task:
     tried_before: SimulatedCloud
 
 
-def _written(size: int, one: SimulatedCloud, file: Path) -> _Task:
-    """The cloud of many copies of one, written copy by copy, and what is to be done with it."""
+def write_copies(one: SimulatedCloud, size: int, file: Path) -> int:
+    """Write copies of a cloud in rows, about so many points, as a binary .ply of floats.
+
+    Copy by copy, so that memory holds one at a time. The middle one stands where the first stood.
+
+    Returns
+    -------
+    The number of points.
+    """
     copies = max(1, round(size / len(one)))
     width = np.ceil(one.size + _GAP) * (1.0, 1.0, 0.0)
     columns = int(np.ceil(np.sqrt(copies)))
-    middle = copies // 2
+    middle = divmod(copies // 2, columns)
     header = (
         "ply\nformat binary_little_endian 1.0\n"
         f"element vertex {copies * len(one)}\n"
@@ -162,10 +171,10 @@ def _written(size: int, one: SimulatedCloud, file: Path) -> _Task:
     with file.open("wb") as stream:
         stream.write(header.encode("ascii"))
         for copy in range(copies):
-            row, column = np.array(divmod(copy, columns)) - divmod(middle, columns)
+            row, column = np.array(divmod(copy, columns)) - middle
             away = width * (column, row, 0.0)
             stream.write((one.points + away).astype("<f4").data)
-    return _Task(file, one.edges[0], one.bounds, simulated_cloud(FEWEST))
+    return copies * len(one)
 
 
 def _in_a_fresh_process(task: _Task, goes_on: Callable[[], bool]) -> SizeCost | Failure | None:
