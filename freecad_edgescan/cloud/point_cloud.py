@@ -24,9 +24,8 @@ Array = NDArray[np.float64]
 
 _SOME = 1000  # points that tell whether a cloud extends in all directions
 FEWEST_POINTS = 20  # below this no local surface can be told from noise
-_LEAF = (
-    32  # points; with SciPy's 16 queries are no faster, and the tree takes 10 bytes a point more
-)
+_LARGE = 2_000_000  # points from which on memory counts
+_LEAVES = (16, 32)  # points in a leaf of the tree, and of a large cloud: 10 bytes a point less
 FARTHEST = 1e12  # mm; beyond it squares and differences lose their meaning
 
 
@@ -89,7 +88,8 @@ class PointCloud:
     @cached_property
     def tree(self) -> cKDTree:
         """KD-tree of the points, built once."""
-        return cKDTree(self.points, leafsize=_LEAF, balanced_tree=False)
+        leaf = _LEAVES[len(self) >= _LARGE]
+        return cKDTree(self.points, leafsize=leaf, balanced_tree=False)
 
     @cached_property
     def bounds(self) -> tuple[Array, Array]:
