@@ -11,9 +11,10 @@ from typing import Any
 
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum
-from .computed_cloud import ComputedCloudProxy, write_points
-from .computed_object import MESSAGE, ORIGIN, Task, result
+from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
+from .computed_object import Task, result
 from .declared_properties import Declared
+from .given_numbers import positive_length
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .points_near_base import points_near_base
 
@@ -24,9 +25,7 @@ _PROPERTIES = (
     Declared("LinkGlobal", "Base", "Segment", "Surface near the points, such as a swept surface"),
     Declared("Distance", "Distance", "Segment", "Of the surface from the base surface, at most"),
     result("Length", "ProbeRadius", "Always 0: the points lie on the part's surface"),
-    result("Integer", "PointCount", "Number of points"),
-    MESSAGE,
-    ORIGIN,
+    *WRITTEN_POINTS,
 )
 
 
@@ -54,11 +53,10 @@ def make_cloud_segment(
     """
     require_cloud(cloud)
     require_shape("base surface", [base])
-    if not distance > 0.0:
-        raise ValueError(f"The distance is {distance} mm; give a positive length.")
+    distance = positive_length("distance", distance)
     obj = doc.addObject("Points::FeaturePython", name)
     CloudSegmentProxy(obj)
-    obj.Cloud, obj.Base, obj.Distance = cloud, base, float(distance)
+    obj.Cloud, obj.Base, obj.Distance = cloud, base, distance
     return obj
 
 
@@ -70,7 +68,7 @@ class CloudSegmentProxy(ComputedCloudProxy):
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, base surface and distance."""
         yield linked_surface(obj.Base, "base surface")
-        yield "" if obj.Cloud is None else cloud_checksum(obj.Cloud)
+        yield cloud_checksum(obj.Cloud)
         yield obj.Distance.Value
 
     def task(self, obj: Any) -> Task:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
 import numpy as np
 
 from ..scanning import EdgeNetwork, Progress, find_edges
@@ -17,8 +16,10 @@ from ..scanning.automatic import MIN_ANGLE
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .edge_network_shape import network_shape
+from .given_numbers import least_angle, length_or_zero
 from .linked_geometry import require_cloud
 from .native_curve import vector
 
@@ -27,8 +28,10 @@ __all__ = ["EdgeNetworkProxy", "make_edge_network"]
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Network", "The cloud whose edges are sought"),
     Declared("Angle", "MinAngle", "Network", "Least turn between the two sides of an edge"),
-    Declared("Length", "MinLength", "Network", "Of an edge; 0: eight times the cloud's pitch"),
-    Declared("Length", "MaxSigma", "Network", "Edges known worse than that are left out; 0: none"),
+    Declared("Distance", "MinLength", "Network", "Of an edge; 0: eight times the cloud's pitch"),
+    Declared(
+        "Distance", "MaxSigma", "Network", "Edges known worse than that are left out; 0: none"
+    ),
     result("Integer", "EdgeCount", "Number of edges"),
     result("Integer", "CornerCount", "Number of corners in which edges meet"),
     result("Length", "TotalLength", "Of all edges"),
@@ -70,16 +73,14 @@ def make_edge_network(
     ValueError: something that is no point cloud, or numbers that cannot work; nothing is made.
     """
     require_cloud(cloud)
-    if not 0.0 < min_angle < np.pi:
-        raise ValueError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
-    for what, value in (("length", min_length), ("sigma", max_sigma)):
-        if not 0.0 <= value < np.inf:
-            raise ValueError(f"The {what} is {value!r}; give 0 or a positive length in mm.")
+    min_angle = least_angle(min_angle)
+    min_length = length_or_zero("least length", min_length)
+    max_sigma = length_or_zero("largest sigma", max_sigma)
     obj = doc.addObject("Part::FeaturePython", name)
     EdgeNetworkProxy(obj)
     obj.Cloud = cloud
     obj.MinAngle = float(np.degrees(min_angle))
-    obj.MinLength, obj.MaxSigma = float(min_length), float(max_sigma)
+    obj.MinLength, obj.MaxSigma = min_length, max_sigma
     return obj
 
 
@@ -90,15 +91,14 @@ class EdgeNetworkProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """The cloud, and which edges are wanted."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield from (obj.MinAngle.Value, obj.MinLength.Value, obj.MaxSigma.Value)
 
     def task(self, obj: Any) -> Task:
         """What finds the edges."""
-        cloud, angle = point_cloud(obj.Cloud), float(np.radians(obj.MinAngle.Value))
-        shortest, worst = obj.MinLength.Value or None, obj.MaxSigma.Value
+        cloud, angle = point_cloud(obj.Cloud), least_angle(np.radians(obj.MinAngle.Value))
+        shortest = length_or_zero("least length", obj.MinLength.Value) or None
+        worst = length_or_zero("largest sigma", obj.MaxSigma.Value)
 
         def find(progress: Progress | None) -> EdgeNetwork:
             network = find_edges(cloud, angle, shortest, progress)
@@ -112,8 +112,7 @@ class EdgeNetworkProxy(ComputedProxy):
     def write(self, obj: Any, result: EdgeNetwork) -> None:
         """Write the edges and their corners."""
         shape = network_shape(result)
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, result.message, origin_of(obj.Cloud))
         obj.EdgeCount, obj.CornerCount = len(result), len(result.corners)
         obj.TotalLength = result.length
         obj.Corners = [vector(corner) for corner in result.corners]
@@ -121,5 +120,3 @@ class EdgeNetworkProxy(ComputedProxy):
         obj.Sigmas = [float(np.median(edge.sigma)) for edge in result.edges]
         obj.Angles = [float(np.degrees(np.median(edge.angle))) for edge in result.edges]
         obj.Ends = [f"{start} to {end}" for start, end in result.ends]
-        obj.Message = result.message
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
