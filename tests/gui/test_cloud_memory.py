@@ -3,7 +3,7 @@
 
     EDGESCAN_MEMORY_POINTS=10000000 ./edgescan test tests/gui/test_cloud_memory.py
 
-prints the figures for ten million points; without a number it takes two million.
+prints the figures for ten million points; without a number it takes one million.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from freecad_edgescan.experiments.speed import simulated_cloud  # noqa: E402
 
 from .conftest import Window  # noqa: E402
 
-POINTS = int(os.environ.get("EDGESCAN_MEMORY_POINTS", "2000000"))
+POINTS = int(os.environ.get("EDGESCAN_MEMORY_POINTS", "1000000"))
 WANTED = 100  # bytes a point, at the most at any time
 OWN = 150e6  # bytes of the panel, its drawings and buffers, which do not grow with the cloud
 
