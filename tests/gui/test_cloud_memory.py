@@ -26,8 +26,8 @@ from .conftest import Window  # noqa: E402
 
 POINTS = int(os.environ.get("EDGESCAN_MEMORY_POINTS", "1000000"))
 WANTED = 100  # bytes a point, at the most at any time
-# Bytes of drawings, threads and buffers, which do not grow with the cloud: about 130e6 were seen. So
-# the bound says something from some millions of points on.
+# Bytes of drawings, threads and buffers, which do not grow with the cloud: about 130e6 were seen.
+# The bound says something from some millions of points on.
 OWN = 200e6
 
 
