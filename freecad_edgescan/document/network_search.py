@@ -65,17 +65,33 @@ class NetworkSearch:
         if until.enough and (network.cancelled or len(network) > self.most):
             network = _first(network, self.most)
         if not network.cancelled:
-            found = vars(cloud).setdefault(_FOUND, {})
-            found[self] = network
-            while len(found) > _MOST_NETWORKS:
-                del found[next(iter(found))]
+            _keep(self, network)
         return network
+
+    def stopped_at(self, network: EdgeNetwork) -> tuple[NetworkSearch, EdgeNetwork]:
+        """The search that ends where this one was cancelled, and what it finds.
+
+        Parameters
+        ----------
+        network : what this search has found until it was cancelled
+        """
+        search = replace(self, most=len(network))
+        network = _first(network, len(network))
+        _keep(search, network)
+        return search, network
 
 
 def known_network(cloud: PointCloud, search: NetworkSearch) -> EdgeNetwork | None:
     """What a search has found before; None: it has not been made, or is forgotten."""
     network: EdgeNetwork | None = vars(cloud).get(_FOUND, {}).get(search)
     return network
+
+
+def _keep(search: NetworkSearch, network: EdgeNetwork) -> None:
+    found = vars(network.cloud).setdefault(_FOUND, {})
+    found[search] = network
+    while len(found) > _MOST_NETWORKS:
+        del found[next(iter(found))]
 
 
 def _first(network: EdgeNetwork, most: int) -> EdgeNetwork:

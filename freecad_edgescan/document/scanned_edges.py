@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -13,14 +14,14 @@ from .scanned_edge import make_scanned_edge
 __all__ = ["make_scanned_edges"]
 
 
-def make_scanned_edges(doc: Any, cloud: Any, at: ArrayLike, name: str = "Edges") -> Any:
+def make_scanned_edges(doc: Any, cloud: Any, at: Sequence[ArrayLike], name: str = "Edges") -> Any:
     """Make scanned edges in a group; `doc.recompute()` scans them.
 
     Parameters
     ----------
     doc : App.Document
     cloud : Points::Feature in it
-    at : (k, 3) document coordinates, mm; a point near each edge, which is followed both ways until
+    at : (3,) each, document coordinates, mm; a point near each edge, which is followed both ways until
         it ends
     name : of the group
 
@@ -33,7 +34,7 @@ def make_scanned_edges(doc: Any, cloud: Any, at: ArrayLike, name: str = "Edges")
     ValueError: something that is no point cloud, or places that are no points; nothing is made.
     """
     require_cloud(cloud)
-    places = list(at)  # type: ignore[call-overload]
+    places = list(at)
     if not places:
         raise ValueError("No place was given; give a point near each of the edges.")
     edges: list[Any] = []

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import FreeCADGui
-
 from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.scanning import SoFar
@@ -26,20 +24,7 @@ from .translation import translate
 from .view_clicks import ViewClicks
 from .view_panel import ViewPanel
 
-__all__ = ["ClickPanel", "view_for_clicks"]
-
-
-def view_for_clicks() -> Any:
-    """The 3D view in front.
-
-    Raises
-    ------
-    ValueError: another window is in front.
-    """
-    view = FreeCADGui.ActiveDocument.ActiveView
-    if not hasattr(view, "getSceneGraph"):
-        raise ValueError(translate("Bring a 3D view to the front, then start again."))
-    return view
+__all__ = ["ClickPanel"]
 
 
 class ClickPanel(ViewPanel):

@@ -11,6 +11,7 @@ import FreeCADGui
 from .command import Command
 from .obstacles import no_cloud
 from .translation import translate
+from .view_in_front import view_for_clicks
 
 __all__ = ["clicked_commands"]
 
@@ -49,13 +50,11 @@ def clicked_commands() -> list[Command]:
 
 def _scan_boundary(doc: Any) -> None:
     from .boundary_panel import BoundaryPanel
-    from .click_panel import view_for_clicks
 
     FreeCADGui.Control.showDialog(BoundaryPanel(doc, view_for_clicks(), translate("Scan boundary")))
 
 
 def _recommend(doc: Any) -> None:
-    from .click_panel import view_for_clicks
     from .recommend_panel import RecommendPanel
 
     title = translate("Recommend parameters")

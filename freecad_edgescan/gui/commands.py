@@ -6,8 +6,10 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from .all_edges_command import all_edges_command
 from .clicked_commands import clicked_commands
 from .cloud_commands import cloud_commands
+from .edge_wire_command import edge_wire_command
 from .import_cloud_command import import_cloud_command
 from .output_commands import output_commands
 from .scan_edge_command import scan_edge_command
@@ -32,7 +34,9 @@ TOOLBARS = {
     QT_TRANSLATE_NOOP("Workbench", "EdgeScan edges"): [
         "EdgeScan_ScanEdge",
         "EdgeScan_ScanBoundary",
+        "EdgeScan_ScanAllEdges",
         "EdgeScan_RecommendParameters",
+        "EdgeScan_EdgeWire",
     ],
     QT_TRANSLATE_NOOP("Workbench", "EdgeScan sweeps"): [
         "EdgeScan_CloudSection",
@@ -57,6 +61,7 @@ _MENU_ONLY = ["EdgeScan_TryIt"]
 _FOR_CLOUDS = [
     "EdgeScan_ScanEdge",
     "EdgeScan_ScanBoundary",
+    "EdgeScan_ScanAllEdges",
     "EdgeScan_RecommendParameters",
     "EdgeScan_CompensateCloud",
     "EdgeScan_ThinCloud",
@@ -70,6 +75,8 @@ def register() -> None:
         import_cloud_command(),
         *cloud_commands(),
         scan_edge_command(),
+        all_edges_command(),
+        edge_wire_command(),
         *clicked_commands(),
         *sweep_commands(),
         *surface_commands(),

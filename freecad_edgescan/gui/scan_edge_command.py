@@ -11,6 +11,7 @@ import FreeCADGui
 from .command import Command
 from .obstacles import no_cloud
 from .translation import translate
+from .view_in_front import view_for_clicks
 
 __all__ = ["scan_edge_command"]
 
@@ -35,12 +36,10 @@ def scan_edge_command() -> Command:
 
 def _open_panel(doc: Any) -> None:
     """Open the panel, or say why it cannot work."""
-    view = FreeCADGui.ActiveDocument.ActiveView
+    view = view_for_clicks()
     from .clicked_cloud import visible_clouds
     from .scan_edge_panel import ScanEdgePanel
 
-    if not hasattr(view, "getSceneGraph"):
-        raise ValueError(translate("Bring a 3D view to the front, then start again."))
     if not visible_clouds(doc):
         raise ValueError(
             translate(

@@ -13,6 +13,7 @@ __all__ = [
     "chosen_cloud",
     "clouds_of",
     "is_scanned_edge",
+    "only_cloud",
     "selected_objects",
     "selected_shapes",
     "shapes_of",
@@ -65,6 +66,16 @@ def chosen_cloud(doc: Any) -> Any:
                 label=chosen[0].Label
             )
         )
+    return only_cloud(doc)
+
+
+def only_cloud(doc: Any) -> Any:
+    """The only cloud that can be seen.
+
+    Raises
+    ------
+    ValueError: there is none or more than one; the sentence says what to select, or to show.
+    """
     every = clouds_of(doc.Objects)
     shown = [cloud for cloud in every if cloud.ViewObject.Visibility]
     if len(shown) == 1:

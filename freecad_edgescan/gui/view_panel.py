@@ -55,6 +55,9 @@ class ViewPanel(QtCore.QObject):
         """Whether there is something OK can keep."""
         raise NotImplementedError
 
+    def show_share(self, share: float) -> None:
+        """A calculation has done this share of its work, 0 … 1; nan where nobody knows."""
+
     def show_report(self, digest: Any) -> None:
         """A calculation has got farther."""
 
@@ -144,6 +147,7 @@ class ViewPanel(QtCore.QObject):
     def _advance(self) -> None:
         report = self._work.take() if self._is_current() and self._work is not None else None
         if report is not None:
+            self.show_share(report[0])
             self.show_report(report[1])
 
     def _succeed(self, result: Any) -> None:

@@ -106,7 +106,9 @@ def place_on(edge: ScannedEdge) -> Array:
     return place
 
 
-def nearest_edges(edges: Sequence[ScannedEdge], places: ArrayLike, pitch: float) -> NDArray[np.intp]:
+def nearest_edges(
+    edges: Sequence[ScannedEdge], places: ArrayLike, pitch: float
+) -> NDArray[np.intp]:
     """Numbers of the edges that places (k, 3) are on; a place on none of them has no number."""
     places = np.asarray(places, dtype=np.float64).reshape(-1, 3)
     if not len(places) or not len(edges):
