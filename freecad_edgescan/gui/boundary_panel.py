@@ -75,7 +75,7 @@ class BoundaryPanel(ClickPanel):
             f"document.make_scanned_boundary(doc, {object_line(self.cloud)}, at={at}, "
             f"inside={inside})"
         )
-        select_only(run_as_one_step(self.doc, self.title, [line], self._hand_over))
+        select_only(run_as_one_step(self._doc, self.title, [line], self._hand_over))
 
     def _hand_over(self, made: list[Any]) -> None:
         if self.up_to_date():

@@ -75,7 +75,7 @@ class RecommendPanel(ClickPanel):
             f"document.make_scanned_edge(doc, {object_line(self.cloud)}, "
             f"at={as_literal(self.places[0])}, method='probe')"
         )
-        select_only(run_as_one_step(self.doc, translate("Scan edge"), [line]))
+        select_only(run_as_one_step(self._doc, translate("Scan edge"), [line]))
 
 
 def _text(value: Any) -> str:
