@@ -1081,8 +1081,8 @@ wird gesucht …</translation>
       <translation>Millimeter</translation>
     </message>
     <message>
-      <source>No point cloud can be seen. Show one in the tree, then click on it.</source>
-      <translation>Es ist keine Punktwolke zu sehen. Eine im Baum einblenden, dann darauf klicken.</translation>
+      <source>No point cloud can be seen; show one in the tree.</source>
+      <translation>Es ist keine Punktwolke zu sehen; im Baum eine einblenden.</translation>
     </message>
     <message>
       <source>Noise level</source>
@@ -1313,8 +1313,8 @@ wird gesucht …</translation>
       <translation>Das ist sehr klein. Ist die Datei in Metern?</translation>
     </message>
     <message>
-      <source>That is {label}, no point cloud. Click on a cloud, near an edge.</source>
-      <translation>Das ist {label}, keine Punktwolke. Auf eine Punktwolke klicken, nahe einer Kante.</translation>
+      <source>That is {label}, no point cloud.</source>
+      <translation>Das ist {label}, keine Punktwolke.</translation>
     </message>
     <message>
       <source>The boundary is closed.</source>
@@ -1325,8 +1325,8 @@ wird gesucht …</translation>
       <translation>Die Berechnung brach ab ({kind}: {error}).</translation>
     </message>
     <message>
-      <source>The cloud has changed. Click near an edge again.</source>
-      <translation>Die Punktwolke hat sich geändert. Erneut nahe einer Kante klicken.</translation>
+      <source>The cloud has changed.</source>
+      <translation>Die Punktwolke hat sich geändert.</translation>
     </message>
     <message>
       <source>The cloud is being prepared; your click will be answered.</source>
@@ -1335,10 +1335,6 @@ wird gesucht …</translation>
     <message>
       <source>The cloud was deleted.</source>
       <translation>Die Punktwolke wurde gelöscht.</translation>
-    </message>
-    <message>
-      <source>The cloud was deleted. Click on another one, near an edge.</source>
-      <translation>Die Punktwolke wurde gelöscht. Auf eine andere klicken, nahe einer Kante.</translation>
     </message>
     <message>
       <source>The edge is being followed.</source>
@@ -1353,12 +1349,8 @@ wird gesucht …</translation>
       <translation>Hier erscheint der Schnitt quer zur Kante.</translation>
     </message>
     <message>
-      <source>There is no point of a visible cloud there. Click on one, near an edge.</source>
-      <translation>Dort ist kein Punkt einer sichtbaren Punktwolke. Auf eine klicken, nahe einer Kante.</translation>
-    </message>
-    <message>
-      <source>There is no point of a visible cloud under the cursor.</source>
-      <translation>Unter dem Mauszeiger ist kein Punkt einer sichtbaren Punktwolke.</translation>
+      <source>There is no point of a visible cloud there.</source>
+      <translation>Dort ist kein Punkt einer sichtbaren Punktwolke.</translation>
     </message>
     <message>
       <source>Thin cloud</source>

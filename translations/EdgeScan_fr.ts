@@ -1081,8 +1081,8 @@ l'arête …</translation>
       <translation>Millimètres</translation>
     </message>
     <message>
-      <source>No point cloud can be seen. Show one in the tree, then click on it.</source>
-      <translation>Aucun nuage de points n'est visible. Affichez-en un dans l'arborescence, puis cliquez dessus.</translation>
+      <source>No point cloud can be seen; show one in the tree.</source>
+      <translation>Aucun nuage de points n'est visible ; affichez-en un dans l'arborescence.</translation>
     </message>
     <message>
       <source>Noise level</source>
@@ -1313,8 +1313,8 @@ l'arête …</translation>
       <translation>C'est très petit. Le fichier est-il en mètres ?</translation>
     </message>
     <message>
-      <source>That is {label}, no point cloud. Click on a cloud, near an edge.</source>
-      <translation>C'est {label}, pas un nuage de points. Cliquez sur un nuage, près d'une arête.</translation>
+      <source>That is {label}, no point cloud.</source>
+      <translation>C'est {label}, pas un nuage de points.</translation>
     </message>
     <message>
       <source>The boundary is closed.</source>
@@ -1325,8 +1325,8 @@ l'arête …</translation>
       <translation>Le calcul s'est interrompu ({kind} : {error}).</translation>
     </message>
     <message>
-      <source>The cloud has changed. Click near an edge again.</source>
-      <translation>Le nuage a changé. Cliquez à nouveau près d'une arête.</translation>
+      <source>The cloud has changed.</source>
+      <translation>Le nuage a changé.</translation>
     </message>
     <message>
       <source>The cloud is being prepared; your click will be answered.</source>
@@ -1335,10 +1335,6 @@ l'arête …</translation>
     <message>
       <source>The cloud was deleted.</source>
       <translation>Le nuage a été supprimé.</translation>
-    </message>
-    <message>
-      <source>The cloud was deleted. Click on another one, near an edge.</source>
-      <translation>Le nuage a été supprimé. Cliquez sur un autre, près d'une arête.</translation>
     </message>
     <message>
       <source>The edge is being followed.</source>
@@ -1353,12 +1349,8 @@ l'arête …</translation>
       <translation>La section en travers de l'arête s'affiche ici.</translation>
     </message>
     <message>
-      <source>There is no point of a visible cloud there. Click on one, near an edge.</source>
-      <translation>Il n'y a là aucun point d'un nuage visible. Cliquez sur un nuage, près d'une arête.</translation>
-    </message>
-    <message>
-      <source>There is no point of a visible cloud under the cursor.</source>
-      <translation>Il n'y a aucun point d'un nuage visible sous le curseur.</translation>
+      <source>There is no point of a visible cloud there.</source>
+      <translation>Il n'y a là aucun point d'un nuage visible.</translation>
     </message>
     <message>
       <source>Thin cloud</source>

@@ -21,8 +21,8 @@ def make_scanned_edges(doc: Any, cloud: Any, at: Sequence[ArrayLike], name: str 
     ----------
     doc : App.Document
     cloud : Points::Feature in it
-    at : (3,) each, document coordinates, mm; a point near each edge, which is followed both ways until
-        it ends
+    at : (3,) each, document coordinates, mm; a point near each edge, which is followed
+        both ways until it ends
     name : of the group
 
     Returns

@@ -19,6 +19,7 @@ from .translation import translate
 __all__ = ["AllEdgesForm"]
 
 _LINES = 3  # that a sentence may take before what is below moves
+_NARROW = 80  # pixels
 _STEPS = 1000  # of the bar
 _SMALLEST_TURN, _LARGEST_TURN = 3.0, 175.0  # degrees
 
@@ -102,13 +103,14 @@ class AllEdgesForm(QtWidgets.QWidget):
             translate("Edges whose sides turn less are left out: 90° at the edge of a box")
         )
         for box in (self._length, self._sigma):
+            box.widget.setMinimumWidth(_NARROW)  # it would widen the dock
             box.changed.connect(self._enter)
         self._turn.valueChanged.connect(lambda _: self._enter())
         group = QtWidgets.QGroupBox(translate("Keep edges"))
         rows = QtWidgets.QFormLayout(group)
-        rows.addRow(translate("At least as long as"), self._length.widget)
-        rows.addRow(translate("That turn at least by"), self._turn)
-        rows.addRow(translate("With a sigma of at most"), self._sigma.widget)
+        rows.addRow(translate("Length from"), self._length.widget)
+        rows.addRow(translate("Turn from"), self._turn)
+        rows.addRow(translate("Sigma up to"), self._sigma.widget)
         return group
 
     def _kinds(self) -> Any:

@@ -23,7 +23,6 @@ from freecad_edgescan.scanning.automatic import MIN_ANGLE
 from freecad_edgescan.scanning.edge_choice import EdgeChoice, part_of_network, turn_of
 
 from .all_edges_form import AllEdgesForm
-from .document_watch import DocumentWatch
 from .find_job import EdgesSoFar, FindJob, FoundNetwork
 from .message import CancelledError
 from .network_commit import change_network, make_group, make_network
@@ -31,10 +30,11 @@ from .network_display import NetworkDisplay
 from .preferences import makes_one_network, remember_one_network
 from .quantities import angle_text, length_text
 from .shown import select_only
+from .single_shot import single_shot
 from .thinned_clouds import is_shown
 from .translation import translate
 from .view_clicks import ViewClicks
-from .view_panel import ViewPanel, single_shot
+from .view_panel import ViewPanel
 
 __all__ = ["AllEdgesPanel"]
 
@@ -68,8 +68,8 @@ class AllEdgesPanel(ViewPanel):
         title = translate("Scan all edges")
         if edited is not None:
             title = translate("Edit network of edges")
-        super().__init__(view, AllEdgesForm(title, edited is not None))
-        self._doc, self._edited = doc, edited
+        super().__init__(doc, view, AllEdgesForm(title, edited is not None))
+        self._edited = edited
         self._cloud: Any = cloud
         self._cloud_name = cloud.Name
         self._numbers: PointCloud = numbers
@@ -82,9 +82,9 @@ class AllEdgesPanel(ViewPanel):
         self._connect()
         self._display = NetworkDisplay(view)
         self._clicks = ViewClicks(view, self._click, self.leave_soon, self._hover)
-        self._document_watch = DocumentWatch(
-            doc, self._object_changed, self._object_deleted, self._refresh_soon, self.vanish
-        )
+        self._document_watch.changed.connect(self._object_changed)
+        self._document_watch.deleted.connect(self._object_deleted)
+        self._document_watch.shown_or_hidden.connect(self._refresh_soon)
         if edited is None:
             self._form.choose_kind(makes_one_network())
         else:
@@ -107,6 +107,12 @@ class AllEdgesPanel(ViewPanel):
     def can_accept(self) -> bool:
         """Whether edges are kept, and the search has ended."""
         return self._found is not None and bool(self._mask.any())
+
+    def question(self) -> str:
+        """What can be clicked on."""
+        if self._found is None:
+            return translate("The cloud is searched. Click on an edge to drop it.")
+        return translate("Click on an edge to drop or keep it. OK keeps those in orange.")
 
     def accept(self) -> bool:
         """Put the edges into the document; the panel stays open when that fails."""
@@ -137,7 +143,6 @@ class AllEdgesPanel(ViewPanel):
         super().let_go(restore)
         self._refresh_timer.stop()
         self._hover_timer.stop()
-        self._document_watch.end()
         self._clicks.close()
         self._display.close(restore)
 
@@ -148,9 +153,7 @@ class AllEdgesPanel(ViewPanel):
         self._show_edges(EdgesSoFar())
         self._form.show_again(False)
         self._form.show_progress(True)
-        self._form.say(
-            self.for_clicks(translate("The cloud is searched. Click on an edge to drop it."))
-        )
+        self.ask()
         self.begin_work(FindJob(self._numbers, self._choice, self._most), EdgesSoFar.of)
 
     def _search_all(self) -> None:
@@ -189,7 +192,7 @@ class AllEdgesPanel(ViewPanel):
         if result.stopped:
             self._form.say(translate("Stopped: OK keeps the edges found so far."))
         else:
-            self._say_what_to_click()
+            self.ask()
         self._show_edges(result.drawn)
 
     def show_failure(self, sentence: str) -> None:
@@ -203,13 +206,12 @@ class AllEdgesPanel(ViewPanel):
     def _click(self, position: tuple[int, int]) -> None:
         number = self._display.edge_at(position)
         if number is None:
-            self._form.say(self.for_clicks(translate("There is no edge. Click on one.")))
+            self.say_and_ask(translate("There is no edge."))
             return
         edges = self._known.edges
         self._choose(self._choice.toggled(edges, number, self._numbers.pitch))
         self._show_under_mouse(number)
-        if self._found is not None:
-            self._say_what_to_click()
+        self.ask()
 
     def _forget_clicks(self) -> None:
         none = np.zeros((0, 3))
@@ -292,7 +294,7 @@ class AllEdgesPanel(ViewPanel):
         self._show_cloud()
         if is_new:
             self._search()
-            self._form.say(translate("The cloud has changed; it is searched again."))
+            self.say_and_ask(translate("The cloud has changed."))
 
     # The rest.
 
@@ -330,10 +332,6 @@ class AllEdgesPanel(ViewPanel):
             else translate("Left out. Click to keep it.")
         )
         return f"{edge_text(edge)}\n{done}"
-
-    def _say_what_to_click(self) -> None:
-        sentence = translate("Click on an edge to drop or keep it. OK keeps those in orange.")
-        self._form.say(self.for_clicks(sentence))
 
 
 def edge_text(edge: ScannedEdge) -> str:

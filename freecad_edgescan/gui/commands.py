@@ -12,7 +12,6 @@ from .cloud_commands import cloud_commands
 from .edge_wire_command import edge_wire_command
 from .import_cloud_command import import_cloud_command
 from .output_commands import output_commands
-from .scan_edge_command import scan_edge_command
 from .surface_commands import surface_commands
 from .sweep_commands import sweep_commands
 from .try_it import try_it_command
@@ -74,10 +73,9 @@ def register() -> None:
     for command in (
         import_cloud_command(),
         *cloud_commands(),
-        scan_edge_command(),
+        *clicked_commands(),
         all_edges_command(),
         edge_wire_command(),
-        *clicked_commands(),
         *sweep_commands(),
         *surface_commands(),
         *output_commands(),

@@ -13,8 +13,9 @@ from freecad_edgescan.cloud.reading import UNITS
 
 from . import preferences
 from .form_dialog import FormDialog
-from .length_field import length_field, length_in, length_text
+from .length_field import length_field, length_in
 from .qt import QtWidgets
+from .quantities import length_text
 from .translation import count_text, translate
 
 __all__ = ["ImportDialog"]

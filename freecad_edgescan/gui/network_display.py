@@ -56,12 +56,12 @@ class NetworkDisplay:
         self._left_out = Lines(LEFT_OUT, on_screen(2.0))
         self._rims = Lines(_DARK, on_screen(5.0))
         self._kept = Lines(EDGE, on_screen(3.0))
-        self._meant = Lines(CLICK, on_screen(6.0))
+        self._meant = Lines(CLICK, on_screen(11.0))
         self._corners = Points(EDGE, on_screen(8.0))
         self._root = coin.SoAnnotation()
         self._root.setName("EdgeScanNetwork")
         self._root.addChild(unpickable())
-        for drawing in (self._rims, self._left_out, self._meant, self._kept, self._corners):
+        for drawing in (self._meant, self._rims, self._left_out, self._kept, self._corners):
             self._root.addChild(drawing.node)
         self._scene: Any = view.getSceneGraph()
         self._scene.addChild(self._root)

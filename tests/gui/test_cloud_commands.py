@@ -216,7 +216,8 @@ def test_a_file_is_read_once(
 
 
 def test_lengths_are_asked_for_and_shown_in_the_users_units(workbench: Any) -> None:
-    from freecad_edgescan.gui.length_field import length_field, length_in, length_text
+    from freecad_edgescan.gui.length_field import length_field, length_in
+    from freecad_edgescan.gui.quantities import length_text
 
     usual = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
     try:

@@ -149,11 +149,11 @@ def test_a_cloud_hidden_or_shown_meanwhile_is_followed(window: Any) -> None:
     clouds = window.panel._display.clouds
     whole = clouds.count
     window.cloud.ViewObject.Visibility = False
-    window.wait_until(lambda: clouds.count == 0 and window.panel._clouds.ready)
+    window.wait_until(lambda: clouds.count == 0 and window.panel._clicks.ready)
     window.click(ON_THE_RIDGE)
     assert "No point cloud can be seen" in window.sentence
     window.cloud.ViewObject.Visibility = True
-    window.wait_until(lambda: clouds.count == whole and window.panel._clouds.ready)
+    window.wait_until(lambda: clouds.count == whole and window.panel._clicks.ready)
     window.click(ON_THE_RIDGE)
     window.found()
     window.cloud.ViewObject.Visibility = False

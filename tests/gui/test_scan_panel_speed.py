@@ -88,7 +88,7 @@ def test_waiting_times_on_a_million_points(
     began = time.perf_counter()
     Gui.runCommand("EdgeScan_ScanEdge")
     opened = time.perf_counter() - began
-    window.wait_until(lambda: window.panel._clouds.ready)
+    window.wait_until(lambda: window.panel._clicks.ready)
     indexed = time.perf_counter() - began
     thinned = redraw(window)
 
