@@ -7,8 +7,6 @@ import math
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-
 from freecad_edgescan.scanning.edge_choice import EdgeChoice
 
 from .icons import icon_path
@@ -83,16 +81,21 @@ class AllEdgesForm(QtWidgets.QWidget):
         self.show_progress(False)
         self.show_again(False)
         self.show_counts(0, 0, 0.0)
+        self.show_largest_sigma(0.0)
         self.show_edge("")
 
     def _filters(self) -> Any:
         self._length, self._sigma = LengthBox(self), LengthBox(self)
+        self._any_sigma = 0.0
+        self._limits_sigma = QtWidgets.QCheckBox(translate("Sigma up to"))
+        self._limits_sigma.toggled.connect(self._limit_sigma)
         self._length.widget.setToolTip(
             translate("Shorter edges are left out; 0: shorter than eight times the cloud's pitch")
         )
         self._sigma.widget.setToolTip(
-            translate("Edges known worse are left out, the median along them; 0: none is")
+            translate("Edges known worse are left out: the median of sigma along them counts")
         )
+        self._sigma.widget.setEnabled(False)
         self._turn = QtWidgets.QDoubleSpinBox()
         self._turn.setRange(_SMALLEST_TURN, _LARGEST_TURN)
         self._turn.setDecimals(1)
@@ -110,7 +113,7 @@ class AllEdgesForm(QtWidgets.QWidget):
         rows = QtWidgets.QFormLayout(group)
         rows.addRow(translate("Length from"), self._length.widget)
         rows.addRow(translate("Turn from"), self._turn)
-        rows.addRow(translate("Sigma up to"), self._sigma.widget)
+        rows.addRow(self._limits_sigma, self._sigma.widget)
         return group
 
     def _kinds(self) -> Any:
@@ -162,14 +165,19 @@ class AllEdgesForm(QtWidgets.QWidget):
             choice,
             min_angle=turn,
             min_length=self._length.value,
-            max_sigma=self._sigma.value or np.inf,
+            max_sigma=self._sigma.value if self._limits_sigma.isChecked() else math.inf,
         )
 
     def show_choice(self, choice: EdgeChoice) -> None:
         """Show which edges are wanted; this is no change by the user."""
         self._choice = choice
         self._length.set(choice.min_length)
-        self._sigma.set(choice.max_sigma if math.isfinite(choice.max_sigma) else 0.0)
+        limited = math.isfinite(choice.max_sigma)
+        self._limits_sigma.blockSignals(True)
+        self._limits_sigma.setChecked(limited)
+        self._limits_sigma.blockSignals(False)
+        self._sigma.widget.setEnabled(limited)
+        self._sigma.set(choice.max_sigma if limited else self._any_sigma)
         self._turn.blockSignals(True)
         self._turn.setValue(math.degrees(choice.min_angle))
         self._turn.blockSignals(False)
@@ -202,6 +210,12 @@ class AllEdgesForm(QtWidgets.QWidget):
         text = text.format(kept=kept, found=found, length=length_text(length))
         self._figures.setText(text if found else translate("No edge has been found yet."))
 
+    def show_largest_sigma(self, sigma: float) -> None:
+        """Show the sigma up to which all edges are kept, mm, as long as the user wants no other."""
+        self._any_sigma = sigma
+        if not self._limits_sigma.isChecked():
+            self._sigma.set(sigma)
+
     def show_edge(self, text: str) -> None:
         """Show what there is to say about the edge under the mouse."""
         self._edge.setText(text)
@@ -211,6 +225,10 @@ class AllEdgesForm(QtWidgets.QWidget):
         self._shown.setVisible(shown < whole)
         text = translate("{shown} of {whole} points are shown; all of them are computed with.")
         self._shown.setText(text.format(shown=f"{shown:,}", whole=f"{whole:,}"))
+
+    def _limit_sigma(self, limited: bool) -> None:
+        self._sigma.widget.setEnabled(limited)
+        self._enter()
 
     def _enter(self) -> None:
         self.filters_changed.emit()

@@ -317,6 +317,9 @@ class AllEdgesPanel(ViewPanel):
         self._display.show_edges(known.lines, self._mask, corners)
         length = sum(edge.length for edge, kept in zip(edges, self._mask, strict=True) if kept)
         self._form.show_counts(int(self._mask.sum()), len(edges), float(length))
+        self._form.show_largest_sigma(
+            max((float(np.median(edge.sigma)) for edge in edges), default=0.0)
+        )
         self.allow_ok()
 
     def _show_under_mouse(self, number: int | None) -> None:
