@@ -15,6 +15,7 @@ Part = pytest.importorskip("Part")
 import freecad_edgescan as es  # noqa: E402
 from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.document.known_parts import sharp_part  # noqa: E402
+from freecad_edgescan.document.native_curve import curve_of  # noqa: E402
 from freecad_edgescan.document.network_bench import bench_part, parts_to_bench  # noqa: E402
 
 PITCH, NOISE = 0.5, 0.05
@@ -35,6 +36,8 @@ def test_a_box_is_twelve_native_lines_that_share_eight_vertices(network: es.Edge
     shape = document.network_shape(network)
     assert len(shape.Edges) == 12 and len(shape.Vertexes) == 8
     assert all(isinstance(edge.Curve, Part.Line) for edge in shape.Edges)
+    assert shape.isValid() and all(edge.isValid() for edge in shape.Edges)
+    assert all(curve_of(edge).length() == pytest.approx(edge.Length) for edge in shape.Edges)
     box = Part.makeBox(*SIZE)
     for vertex in shape.Vertexes:
         nearest = min(vertex.Point.distanceToPoint(other.Point) for other in box.Vertexes)

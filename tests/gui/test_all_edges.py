@@ -262,7 +262,9 @@ def test_a_smooth_sphere_has_no_edge_and_that_is_said(box: Any) -> None:
 
 
 def test_of_two_clouds_the_selected_one_is_searched(box: Any, problems: list[str]) -> None:
-    second = document.make_cloud(box.doc, np.array(box.cloud.Points.Points) + np.array([40.0, 0, 0]))
+    second = document.make_cloud(
+        box.doc, np.array(box.cloud.Points.Points) + np.array([40.0, 0, 0])
+    )
     box.doc.recompute()
     Gui.runCommand("EdgeScan_ScanAllEdges")
     assert not Gui.Control.activeDialog()
