@@ -17,7 +17,7 @@ from ..scanning.automatic import MIN_ANGLE
 from ..scanning.edge_choice import EdgeChoice, part_of_network
 from ..scanning.network.find_edges import SHORTEST
 
-__all__ = ["NetworkSearch", "known_network"]
+__all__ = ["NetworkSearch", "keep_network", "known_network"]
 
 _MOST_NETWORKS = 2  # of one cloud
 _FOUND = "networks found in it"
@@ -65,7 +65,7 @@ class NetworkSearch:
         if until.enough and (network.cancelled or len(network) > self.most):
             network = _first(network, self.most)
         if not network.cancelled:
-            _keep(self, network)
+            keep_network(self, network)
         return network
 
     def stopped_at(self, network: EdgeNetwork) -> tuple[NetworkSearch, EdgeNetwork]:
@@ -77,7 +77,7 @@ class NetworkSearch:
         """
         search = replace(self, most=len(network))
         network = _first(network, len(network))
-        _keep(search, network)
+        keep_network(search, network)
         return search, network
 
 
@@ -87,7 +87,8 @@ def known_network(cloud: PointCloud, search: NetworkSearch) -> EdgeNetwork | Non
     return network
 
 
-def _keep(search: NetworkSearch, network: EdgeNetwork) -> None:
+def keep_network(search: NetworkSearch, network: EdgeNetwork) -> None:
+    """Let a search find a network at once from now on, in the network's cloud."""
     found = vars(network.cloud).setdefault(_FOUND, {})
     found[search] = network
     while len(found) > _MOST_NETWORKS:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -10,7 +11,6 @@ import pytest
 FreeCAD = pytest.importorskip("FreeCAD")
 Part = pytest.importorskip("Part")
 
-import freecad_edgescan as es  # noqa: E402
 from freecad_edgescan import document  # noqa: E402
 
 PITCH = 0.5
@@ -19,13 +19,21 @@ BOTTOM_FRONT, RIGHT, BACK = (12.0, 0.0, 0.0), (24.0, 9.0, 0.0), (12.0, 18.0, 0.0
 
 
 @pytest.fixture(scope="module")
-def box_cloud() -> es.PointCloud:
-    return es.PointCloud(document.simulate_cloud(Part.makeBox(*SIZE), PITCH, 0.05).points)
+def cloud() -> Iterator[Any]:
+    """A box's cloud in a document, which all tests share: its edges are found once."""
+    doc = FreeCAD.newDocument("Box")
+    yield document.make_cloud(doc, document.simulate_cloud(Part.makeBox(*SIZE), PITCH, 0.05).points)
+    FreeCAD.closeDocument(doc.Name)
 
 
 @pytest.fixture
-def network(doc: Any, box_cloud: es.PointCloud) -> Any:
-    made = document.make_edge_network(doc, document.make_cloud(doc, box_cloud))
+def doc(cloud: Any) -> Any:
+    return cloud.Document
+
+
+@pytest.fixture
+def network(doc: Any, cloud: Any) -> Any:
+    made = document.make_edge_network(doc, cloud)
     doc.recompute()
     return made
 
