@@ -196,11 +196,11 @@ def test_sigma_is_limited_when_that_is_ticked(known: Any) -> None:
 
 def test_blunter_edges_than_were_sought_are_searched_for(box: Any) -> None:
     panel = found(box)
-    panel.form._turn.setValue(10.0)
+    panel.form._turn.setValue(14.0)
     assert panel._work is not None
     ended(box)
     assert kept_and_left_out(box)[0] >= 12
-    assert panel._found.search.min_angle == pytest.approx(np.radians(10.0))
+    assert panel._found.search.min_angle == pytest.approx(np.radians(14.0))
 
 
 def test_without_any_kept_edge_there_is_no_ok(known: Any) -> None:
