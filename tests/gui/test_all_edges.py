@@ -538,3 +538,43 @@ def test_selected_edges_of_a_network_become_a_wire(
         Gui.Selection.addSelection(network, name(place))
     Gui.runCommand("EdgeScan_EdgeWire")
     assert "separate chains" in problems.pop()
+
+
+# Faces between the edges.
+
+
+def test_a_click_takes_the_face_between_edges_as_a_segment(
+    known: Any, network: Any, recorded: list[str]
+) -> None:
+    steps = known.doc.UndoCount
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(network)
+    Gui.runCommand("EdgeScan_CloudSegment")
+    known.settle()
+    assert "face" in known.sentence and not known.button("Ok").isEnabled()
+    known.click((8.0, 12.0, 12.0))
+    known.wait_until(lambda: known.button("Ok").isEnabled())
+    known.picture("region")
+    known.ok()
+    (segment,) = Gui.Selection.getSelection()
+    points = np.array([tuple(point) for point in segment.Points.Points])
+    assert np.mean(np.abs(points[:, 2] - SIZE[2]) < 0.3) > 0.9
+    assert len(points) > 0.8 * SIZE[0] * SIZE[1] / PITCH**2
+    assert known.doc.UndoCount == steps + 1
+    name = segment.Name
+    known.doc.undo()
+    exec("import FreeCAD\n" + "\n".join(recorded), {})
+    again = known.doc.getObject(name).Points.Points
+    assert np.array_equal([tuple(point) for point in again], points)
+
+
+def test_a_face_that_is_not_wanted_after_all_leaves_no_trace(known: Any, network: Any) -> None:
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(network)
+    before = known.trace()
+    Gui.runCommand("EdgeScan_CloudSegment")
+    known.settle()
+    known.click((8.0, 12.0, 12.0))
+    known.press_escape()
+    known.wait_until(lambda: not Gui.Control.activeDialog())
+    known.wait_until(lambda: known.trace() == before)
