@@ -12,6 +12,10 @@
       <translation>Eine Stelle nahe einer der Kanten</translation>
     </message>
     <message>
+      <source>A place on the face between the network's edges</source>
+      <translation>Eine Stelle auf der Fläche zwischen den Kanten des Netzes</translation>
+    </message>
+    <message>
       <source>A place on the face, beside that edge</source>
       <translation>Eine Stelle auf der Fläche, neben dieser Kante</translation>
     </message>
@@ -544,8 +548,8 @@
       <translation>Verwendete Lenkung</translation>
     </message>
     <message>
-      <source>Surface near the points, such as a swept surface</source>
-      <translation>Fläche nahe den Punkten, etwa eine Sweep-Fläche</translation>
+      <source>Surface near the points, or a network of edges</source>
+      <translation>Fläche nahe den Punkten, oder ein Kantennetz</translation>
     </message>
     <message>
       <source>Surface near the points; it gives the fit its rim</source>
@@ -897,6 +901,10 @@
     <message>
       <source>Click on the cloud, near the edge you want.</source>
       <translation>Auf die Punktwolke klicken, nahe der gewünschten Kante.</translation>
+    </message>
+    <message>
+      <source>Click on the face whose points you want, between the edges.</source>
+      <translation>Klicken Sie auf die Fläche zwischen den Kanten, deren Punkte Sie möchten.</translation>
     </message>
     <message>
       <source>Click to see the section there. Arrows: along the edge</source>
@@ -1489,6 +1497,10 @@ wird gesucht …</translation>
       <translation>Die Kante wird verfolgt.</translation>
     </message>
     <message>
+      <source>The face has {count} of the {whole} points.</source>
+      <translation>Die Fläche hat {count} der {whole} Punkte.</translation>
+    </message>
+    <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
       <translation>Die Punkte liegen {distance} vom Ursprung entfernt, wo ein Dokument sie nicht genau halten kann. Näher gerückt sind sie genau; die Eigenschaft Origin der Punktwolke enthält den Weg zurück, und Exporte verwenden ihn.</translation>
     </message>
@@ -1503,6 +1515,10 @@ wird gesucht …</translation>
     <message>
       <source>There is no point of a visible cloud there.</source>
       <translation>Dort ist kein Punkt einer sichtbaren Punktwolke.</translation>
+    </message>
+    <message>
+      <source>These edges are not those of {label}.</source>
+      <translation>Diese Kanten sind nicht die von {label}.</translation>
     </message>
     <message>
       <source>Thin cloud</source>
@@ -1880,12 +1896,12 @@ wird gesucht …</translation>
       <translation>Punktwolke segmentieren</translation>
     </message>
     <message>
-      <source>Select a cloud and a surface</source>
-      <translation>Eine Punktwolke und eine Fläche auswählen</translation>
+      <source>Select a cloud and a surface, or a network of edges</source>
+      <translation>Punktwolke und Fläche wählen, oder ein Kantennetz</translation>
     </message>
     <message>
-      <source>Take the points near a surface as a cloud of their own. Select the cloud and the surface.</source>
-      <translation>Die Punkte nahe einer Fläche als eigene Punktwolke nehmen. Die Punktwolke und die Fläche auswählen.</translation>
+      <source>Take the points near a surface, or of one face between edges, as a cloud of their own. Select the cloud and the surface; or a network of edges, then click on the face.</source>
+      <translation>Die Punkte nahe einer Fläche, oder die einer Fläche zwischen Kanten, als eigene Punktwolke nehmen. Wählen Sie die Punktwolke und die Fläche; oder ein Kantennetz, und klicken Sie dann auf die Fläche.</translation>
     </message>
   </context>
   <context>

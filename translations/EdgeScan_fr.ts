@@ -12,6 +12,10 @@
       <translation>Un endroit près de l'une des arêtes</translation>
     </message>
     <message>
+      <source>A place on the face between the network's edges</source>
+      <translation>Un endroit sur la face entre les arêtes du réseau</translation>
+    </message>
+    <message>
       <source>A place on the face, beside that edge</source>
       <translation>Un endroit sur la face, à côté de cette arête</translation>
     </message>
@@ -544,8 +548,8 @@
       <translation>Guidage utilisé</translation>
     </message>
     <message>
-      <source>Surface near the points, such as a swept surface</source>
-      <translation>Surface près des points, par exemple une surface balayée</translation>
+      <source>Surface near the points, or a network of edges</source>
+      <translation>Surface proche des points, ou un réseau d'arêtes</translation>
     </message>
     <message>
       <source>Surface near the points; it gives the fit its rim</source>
@@ -897,6 +901,10 @@
     <message>
       <source>Click on the cloud, near the edge you want.</source>
       <translation>Cliquez sur le nuage, près de l'arête voulue.</translation>
+    </message>
+    <message>
+      <source>Click on the face whose points you want, between the edges.</source>
+      <translation>Cliquez sur la face, entre les arêtes, dont vous voulez les points.</translation>
     </message>
     <message>
       <source>Click to see the section there. Arrows: along the edge</source>
@@ -1489,6 +1497,10 @@ l'arête …</translation>
       <translation>L'arête est en train d'être suivie.</translation>
     </message>
     <message>
+      <source>The face has {count} of the {whole} points.</source>
+      <translation>La face a {count} des {whole} points.</translation>
+    </message>
+    <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
       <translation>Les points sont à {distance} de l'origine, où un document ne peut pas les garder exactement. Rapprochés, ils sont exacts ; la propriété Origin du nuage contient le chemin du retour, et les exports l'utilisent.</translation>
     </message>
@@ -1503,6 +1515,10 @@ l'arête …</translation>
     <message>
       <source>There is no point of a visible cloud there.</source>
       <translation>Il n'y a là aucun point d'un nuage visible.</translation>
+    </message>
+    <message>
+      <source>These edges are not those of {label}.</source>
+      <translation>Ces arêtes ne sont pas celles de {label}.</translation>
     </message>
     <message>
       <source>Thin cloud</source>
@@ -1880,12 +1896,12 @@ l'arête …</translation>
       <translation>Segmenter le nuage</translation>
     </message>
     <message>
-      <source>Select a cloud and a surface</source>
-      <translation>Sélectionnez un nuage et une surface</translation>
+      <source>Select a cloud and a surface, or a network of edges</source>
+      <translation>Sélectionner un nuage et une surface, ou un réseau d'arêtes</translation>
     </message>
     <message>
-      <source>Take the points near a surface as a cloud of their own. Select the cloud and the surface.</source>
-      <translation>Prendre les points près d'une surface comme un nuage à part. Sélectionnez le nuage et la surface.</translation>
+      <source>Take the points near a surface, or of one face between edges, as a cloud of their own. Select the cloud and the surface; or a network of edges, then click on the face.</source>
+      <translation>Prendre les points proches d'une surface, ou d'une face entre arêtes, comme nuage à part. Sélectionnez le nuage et la surface ; ou un réseau d'arêtes, puis cliquez sur la face.</translation>
     </message>
   </context>
   <context>

@@ -67,6 +67,8 @@ _FOR_CLOUDS = [
 ]
 _FOR_EDGES = ["EdgeScan_CloudSection", "EdgeScan_Sweep", "EdgeScan_Loft", "EdgeScan_Export"]
 
+_FOR_NETWORKS = ["EdgeScan_EdgeWire", "EdgeScan_CloudSegment", "EdgeScan_Export"]
+
 
 def register() -> None:
     """Make the commands known to FreeCAD."""
@@ -94,8 +96,8 @@ def menu() -> list[str]:
 
 
 def for_selection() -> list[str]:
-    """What a right click offers for what is selected: commands for clouds, for edges, or none."""
-    from .selected import clouds_of, is_scanned_edge
+    """What a right click offers for what is selected: commands for clouds, edges, networks, or none."""
+    from .selected import clouds_of, is_edge_network, is_scanned_edge
 
     chosen = FreeCADGui.Selection.getSelection()
     names: list[str] = []
@@ -103,4 +105,6 @@ def for_selection() -> list[str]:
         names += _FOR_CLOUDS
     if any(is_scanned_edge(item) or hasattr(item, "Sigma") for item in chosen):
         names += _FOR_EDGES
+    if any(is_edge_network(item) for item in chosen):
+        names += _FOR_NETWORKS
     return names

@@ -7,7 +7,7 @@ from typing import Any
 
 import FreeCADGui
 
-from .selected import selected_objects
+from .selected import is_edge_network, selected_objects
 from .selection_command import SelectionCommand
 from .view_in_front import view_for_clicks
 
@@ -19,11 +19,7 @@ class SegmentCommand(SelectionCommand):
 
     def _make(self, doc: Any) -> None:
         chosen = selected_objects(doc)
-        networks = [
-            item
-            for item in chosen
-            if type(getattr(item, "Proxy", None)).__name__ == "EdgeNetworkProxy"
-        ]
+        networks = [item for item in chosen if is_edge_network(item)]
         if len(networks) != 1 or any(item not in (*networks, networks[0].Cloud) for item in chosen):
             super()._make(doc)
             return
