@@ -96,7 +96,7 @@ def menu() -> list[str]:
 
 
 def for_selection() -> list[str]:
-    """What a right click offers for what is selected: commands for clouds, edges, networks, or none."""
+    """What a right click offers for clouds, edges and networks that are selected."""
     from .selected import clouds_of, is_edge_network, is_scanned_edge
 
     chosen = FreeCADGui.Selection.getSelection()
