@@ -1067,6 +1067,10 @@
       <translation>Die Kante entlanggehen</translation>
     </message>
     <message>
+      <source>Group of edges</source>
+      <translation>Gruppe von Kanten</translation>
+    </message>
+    <message>
       <source>Hide the points before and behind the section that is looked at</source>
       <translation>Die Punkte vor und hinter dem betrachteten Schnitt ausblenden</translation>
     </message>
@@ -1173,10 +1177,6 @@ wird gesucht …</translation>
       <translation>Millimeter</translation>
     </message>
     <message>
-      <source>No edge has been found yet.</source>
-      <translation>Noch wurde keine Kante gefunden.</translation>
-    </message>
-    <message>
       <source>No point cloud can be seen; show one in the tree.</source>
       <translation>Es ist keine Punktwolke zu sehen; im Baum eine einblenden.</translation>
     </message>
@@ -1221,8 +1221,8 @@ wird gesucht …</translation>
       <translation>Ein Klick: die ganze Kante</translation>
     </message>
     <message>
-      <source>One network of edges</source>
-      <translation>Ein Kantennetz</translation>
+      <source>One network</source>
+      <translation>Ein Netz</translation>
     </message>
     <message>
       <source>One object whose edges share their corners, or one for each edge that can be edited by itself</source>
@@ -1343,10 +1343,6 @@ wird gesucht …</translation>
     <message>
       <source>Scan lines</source>
       <translation>Abtastlinien</translation>
-    </message>
-    <message>
-      <source>Scanned edges in a group</source>
-      <translation>Abgetastete Kanten in einer Gruppe</translation>
     </message>
     <message>
       <source>Scanning tolerance of a line section</source>

@@ -1067,6 +1067,10 @@
       <translation>Parcourir l'arête</translation>
     </message>
     <message>
+      <source>Group of edges</source>
+      <translation>Groupe d'arêtes</translation>
+    </message>
+    <message>
       <source>Hide the points before and behind the section that is looked at</source>
       <translation>Masquer les points devant et derrière la section regardée</translation>
     </message>
@@ -1173,10 +1177,6 @@ l'arête …</translation>
       <translation>Millimètres</translation>
     </message>
     <message>
-      <source>No edge has been found yet.</source>
-      <translation>Aucune arête n'a encore été trouvée.</translation>
-    </message>
-    <message>
       <source>No point cloud can be seen; show one in the tree.</source>
       <translation>Aucun nuage de points n'est visible ; affichez-en un dans l'arborescence.</translation>
     </message>
@@ -1221,8 +1221,8 @@ l'arête …</translation>
       <translation>Un clic : toute l'arête</translation>
     </message>
     <message>
-      <source>One network of edges</source>
-      <translation>Un réseau d'arêtes</translation>
+      <source>One network</source>
+      <translation>Un réseau</translation>
     </message>
     <message>
       <source>One object whose edges share their corners, or one for each edge that can be edited by itself</source>
@@ -1343,10 +1343,6 @@ l'arête …</translation>
     <message>
       <source>Scan lines</source>
       <translation>Lignes de palpage</translation>
-    </message>
-    <message>
-      <source>Scanned edges in a group</source>
-      <translation>Arêtes palpées dans un groupe</translation>
     </message>
     <message>
       <source>Scanning tolerance of a line section</source>

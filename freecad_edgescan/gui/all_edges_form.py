@@ -118,8 +118,8 @@ class AllEdgesForm(QtWidgets.QWidget):
 
     def _kinds(self) -> Any:
         self._kind = QtWidgets.QComboBox()
-        self._kind.addItem(translate("One network of edges"))
-        self._kind.addItem(translate("Scanned edges in a group"))
+        self._kind.addItem(translate("One network"))
+        self._kind.addItem(translate("Group of edges"))
         self._kind.setToolTip(
             translate(
                 "One object whose edges share their corners, or one for each edge that can be "
@@ -208,7 +208,7 @@ class AllEdgesForm(QtWidgets.QWidget):
         """Show how many of the edges found are kept, and their length, mm."""
         text = translate("{kept} of {found} edges are kept, {length} in all.")
         text = text.format(kept=kept, found=found, length=length_text(length))
-        self._figures.setText(text if found else translate("No edge has been found yet."))
+        self._figures.setText(text if found else "")
 
     def show_largest_sigma(self, sigma: float) -> None:
         """Show the sigma up to which all edges are kept, mm, as long as the user wants no other."""

@@ -77,6 +77,7 @@ class AllEdgesPanel(ViewPanel):
         self._most = 0 if edited is None else int(edited.MostEdges)
         self._known = EdgesSoFar()
         self._found: FoundNetwork | None = None
+        self._searched: NetworkSearch | None = None  # what was searched for last
         self._mask: NDArray[np.bool_] = np.zeros(0, dtype=bool)
         self._mouse: tuple[int, int] | None = None
         self._connect()
@@ -149,7 +150,7 @@ class AllEdgesPanel(ViewPanel):
     # The search.
 
     def _search(self) -> None:
-        self._found = None
+        self._found = self._searched = None
         self._show_edges(EdgesSoFar())
         self._form.show_again(False)
         self._form.show_progress(True)
@@ -176,7 +177,7 @@ class AllEdgesPanel(ViewPanel):
 
     def show_result(self, result: FoundNetwork) -> None:
         """The search has ended."""
-        network = result.network
+        network, self._searched = result.network, result.search
         self._form.show_progress(False)
         self._form.show_again(result.stopped or result.search.most > 0)
         if not len(network):
@@ -221,7 +222,7 @@ class AllEdgesPanel(ViewPanel):
         self._choose(self._form.filtered(self._choice))
 
     def _choose(self, choice: EdgeChoice) -> None:
-        """Keep other edges; only shorter or blunter ones than were sought need another search."""
+        """Keep other edges; those shorter or blunter than were sought need another search."""
         before, self._choice = self._choice, choice
         self._form.show_choice(choice)
         if self._wider(before, choice):
@@ -232,12 +233,10 @@ class AllEdgesPanel(ViewPanel):
     def _wider(self, before: EdgeChoice, choice: EdgeChoice) -> bool:
         if (before.min_angle, before.min_length) == (choice.min_angle, choice.min_length):
             return False
-        if self._found is None and self._work is None:
+        if self._cloud is None:
             return False
         pitch = self._numbers.pitch
-        searched = NetworkSearch.wide_enough(before, pitch, self._most)
-        if self._found is not None:
-            searched = self._found.search
+        searched = self._searched or NetworkSearch.wide_enough(before, pitch, self._most)
         return NetworkSearch.wide_enough(choice, pitch, self._most) != searched
 
     def _hover(self, position: tuple[int, int]) -> None:

@@ -108,3 +108,31 @@ def test_edges_that_do_not_follow_each_other_are_refused(doc: Any, network: Any)
     with pytest.raises(ValueError, match="no edges"):
         document.make_edge_wire(doc, network.Cloud, ["Edge1"])
     assert len(doc.Objects) == count
+
+
+def test_a_boss_is_dropped_at_its_foot_and_swept_round_at_its_rim() -> None:
+    doc = FreeCAD.newDocument("Boss")
+    radius, rim = 5.0, 18.0
+    part = Part.makeBox(*SIZE).fuse(
+        Part.makeCylinder(radius, rim - SIZE[2], FreeCAD.Vector(12, 9, SIZE[2]))
+    )
+    cloud = document.make_cloud(doc, document.simulate_cloud(part, 0.4, 0.02).points)
+    at_the_foot = (12.0 + radius, 9.0, SIZE[2])
+    network = document.make_edge_network(doc, cloud, dropped=[at_the_foot])
+    doc.recompute()
+    foot, on_the_rim = Part.Vertex(*at_the_foot), (12.0, 9.0 + radius, rim)
+    assert network.EdgeCount == 13
+    assert network.Shape.distToShape(foot)[0] > radius - 0.4
+    wire = document.make_edge_wire(doc, network, names(network, on_the_rim))
+    doc.recompute()
+    assert wire.Closed and wire.Length.Value == pytest.approx(2 * 3.1416 * radius, rel=0.01)
+    profile = doc.addObject("Part::Feature", "Profile")
+    first = wire.Shape.OrderedEdges[0]
+    begin, along = first.valueAt(first.FirstParameter), first.tangentAt(first.FirstParameter)
+    profile.Shape = Part.Wire(Part.makeCircle(0.5, begin, along))
+    ring = document.make_sweep(doc, profile, wire)
+    ring.Solid = True
+    doc.recompute()
+    # A torus (Pappus).
+    assert ring.Shape.Volume == pytest.approx(2 * 3.1416**2 * radius * 0.5**2, rel=0.02)
+    FreeCAD.closeDocument(doc.Name)

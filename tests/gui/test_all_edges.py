@@ -276,7 +276,11 @@ def test_a_smooth_sphere_has_no_edge_and_that_is_said(box: Any) -> None:
     found(box)
     assert "No edge was found" in box.sentence
     assert not box.button("Ok").isEnabled()
+    assert box.panel.form.figures == ""
     box.picture("all_edges_none")
+    box.panel.form._turn.setValue(14.0)  # perhaps a blunter one
+    assert box.panel._work is not None
+    ended(box)
     box.press_escape()
     box.wait_until(lambda: not Gui.Control.activeDialog())
 
