@@ -13,13 +13,13 @@ import FreeCAD
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..scanning import EdgeNetwork, Progress
+from ..scanning import EdgeNetwork, Progress, Stop
 from ..scanning.automatic import MIN_ANGLE
 from ..scanning.edge_choice import EdgeChoice
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
-from .declared_properties import Declared
+from .declared_properties import Declared, Role
 from .edge_network_shape import network_shape
 from .linked_geometry import require_cloud
 from .native_curve import vector
@@ -31,6 +31,11 @@ __all__ = [
     "choice_of",
     "make_edge_network",
 ]
+
+
+def _list(kind: str, name: str, tooltip: str) -> Declared:
+    return Declared(kind, name, "Edge points", tooltip, Role.HIDDEN_RESULT)
+
 
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Network", "The cloud whose edges are sought"),
@@ -52,6 +57,9 @@ _PROPERTIES = (
     result("StringList", "Ends", "Of each edge: the corners it ends in, or why it ends"),
     MESSAGE,
     ORIGIN,
+    _list("VectorList", "Points", "Edge points of all edges, document coordinates"),
+    _list("FloatList", "Sigma", "Standard deviation of the edge points, mm"),
+    _list("IntegerList", "EdgeNumbers", "Which edge each of them belongs to, from 1"),
 )
 
 
@@ -183,9 +191,18 @@ class EdgeNetworkProxy(ComputedProxy):
         obj.Misclosures = result.corner_misclosure.tolist()
         obj.Sigmas = [float(np.median(edge.sigma)) for edge in result.edges]
         obj.Angles = [float(np.degrees(np.median(edge.angle))) for edge in result.edges]
-        obj.Ends = [f"{start} to {end}" for start, end in result.ends]
+        obj.Ends = [f"{_named(start)} to {_named(end)}" for start, end in result.ends]
+        obj.Points = [vector(point) for edge in result.edges for point in edge.points]
+        obj.Sigma = [float(value) for edge in result.edges for value in edge.sigma]
+        obj.EdgeNumbers = [
+            number for number, edge in enumerate(result.edges, start=1) for _ in range(len(edge))
+        ]
         obj.Message = result.message
         obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+
+
+def _named(end: int | Stop) -> str:
+    return end.name if isinstance(end, Stop) else f"corner {end + 1}"
 
 
 def _write_inputs(obj: Any, choice: EdgeChoice, most: int) -> None:

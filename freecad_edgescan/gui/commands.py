@@ -67,7 +67,10 @@ _FOR_CLOUDS = [
 ]
 _FOR_EDGES = ["EdgeScan_CloudSection", "EdgeScan_Sweep", "EdgeScan_Loft", "EdgeScan_Export"]
 
-_FOR_NETWORKS = ["EdgeScan_EdgeWire", "EdgeScan_CloudSegment", "EdgeScan_Export"]
+_FOR_NETWORKS = [
+    *("EdgeScan_EdgeWire", "EdgeScan_Sweep", "EdgeScan_Loft"),
+    *("EdgeScan_CloudSegment", "EdgeScan_Export"),
+]
 
 
 def register() -> None:
@@ -103,8 +106,9 @@ def for_selection() -> list[str]:
     names: list[str] = []
     if clouds_of(chosen):
         names += _FOR_CLOUDS
-    if any(is_scanned_edge(item) or hasattr(item, "Sigma") for item in chosen):
+    edges = [item for item in chosen if is_scanned_edge(item) or hasattr(item, "Sigma")]
+    if any(not is_edge_network(item) for item in edges):
         names += _FOR_EDGES
-    if any(is_edge_network(item) for item in chosen):
-        names += _FOR_NETWORKS
+    if any(is_edge_network(item) for item in edges):
+        names += [name for name in _FOR_NETWORKS if name not in names]
     return names

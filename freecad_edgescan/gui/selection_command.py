@@ -8,6 +8,7 @@ from typing import Any
 
 from .command import Command
 from .obstacles import no_document
+from .picked_edges import wire_lines
 from .recorded_step import run_as_one_step
 from .selected import selected_objects
 
@@ -22,6 +23,8 @@ class SelectionCommand(Command):
     name, title, tooltip, hint, obstacle : see `Command`
     line : gives the recorded line for the selected objects, or a ValueError that says what to
         select
+    joins : whether edges of a network that are selected one by one and follow each other are one
+        wire; False: each is one
     """
 
     def __init__(
@@ -32,12 +35,31 @@ class SelectionCommand(Command):
         hint: str,
         line: Callable[[list[Any]], str],
         obstacle: Callable[[], str] = no_document,
+        joins: bool = False,
     ) -> None:
         super().__init__(name, title, tooltip, hint, self._make, obstacle)
-        self._line = line
+        self._line, self._joins = line, joins
 
     def _make(self, doc: Any) -> None:
         from .compute_beside import computing_beside
 
-        line = self._line(selected_objects(doc))
-        run_as_one_step(doc, self.title, [line], computing_beside(self.title))
+        chosen = selected_objects(doc)
+        wires = {item.Name: wire_lines(doc, item, self._joins) for item in chosen}
+        first = [line for lines in wires.values() for line in lines]
+        if not first:
+            line = self._line(chosen)
+            run_as_one_step(doc, self.title, [line], computing_beside(self.title))
+            return
+        before = len(doc.Objects)
+
+        def then() -> str:
+            made = iter(doc.Objects[before:])
+            with_wires = [
+                part
+                for item in chosen
+                for part in ([next(made) for _ in wires[item.Name]] or [item])
+            ]
+            return self._line(with_wires)
+
+        lines: list[str | Callable[[], str]] = [*first, "doc.recompute()", then]
+        run_as_one_step(doc, self.title, lines, computing_beside(self.title))

@@ -284,3 +284,22 @@ def test_the_bench_measures_a_box_as_it_is() -> None:
 def test_without_files_the_bench_takes_a_part_of_its_own() -> None:
     part, pitch = next(parts_to_bench([], []))
     assert part.name == "block with bore" and 0.0 < pitch < 1.0
+
+
+def test_a_network_is_exported_and_reported(searched_cloud: Any, tmp_path: Path) -> None:
+    doc = searched_cloud.Document
+    made = document.make_edge_network(doc, searched_cloud, min_length=20.0, name="LongEdges")
+    doc.recompute()
+    document.export_csv([made], tmp_path / "edges.csv")
+    rows = (tmp_path / "edges.csv").read_text().splitlines()[1:]
+    points = np.array([[float(value) for value in row.split(",")[1:4]] for row in rows])
+    away = np.sort(np.minimum(np.abs(points), np.abs(points - SIZE)), axis=1)
+    assert np.hypot(away[:, 0], away[:, 1]).max() < PITCH
+    assert {row.split(",")[0] for row in rows} == {f"LongEdges {k}" for k in (1, 2, 3, 4)}
+    document.export_step([made], tmp_path / "edges.step")
+    again = Part.Shape()
+    again.read(str(tmp_path / "edges.step"))
+    assert [edge.Length for edge in again.Edges] == pytest.approx([24.0] * 4, abs=PITCH)
+    document.write_report(doc, tmp_path / "report.html")
+    page = (tmp_path / "report.html").read_text()
+    assert "LongEdges" in page and "4 of 12 edges are kept" in page

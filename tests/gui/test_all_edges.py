@@ -520,18 +520,20 @@ def test_a_large_cloud_is_drawn_with_fewer_points(
 # Wires.
 
 
+def edge_at(network: Any, place: tuple[float, float, float]) -> str:
+    """Name of the edge at a place."""
+    away = [edge.distToShape(Part.Vertex(*place))[0] for edge in network.Shape.Edges]
+    return f"Edge{away.index(min(away)) + 1}"
+
+
 def test_selected_edges_of_a_network_become_a_wire(
     known: Any, network: Any, recorded: list[str], problems: list[str]
 ) -> None:
-    def name(place: tuple[float, float, float]) -> str:
-        away = [edge.distToShape(Part.Vertex(*place))[0] for edge in network.Shape.Edges]
-        return f"Edge{away.index(min(away)) + 1}"
-
     Gui.Selection.clearSelection()
     Gui.runCommand("EdgeScan_EdgeWire")
     assert "Select edges of one network" in problems.pop()
     for place in (TOP_FRONT, (24.0, 9.0, 12.0)):
-        Gui.Selection.addSelection(network, name(place))
+        Gui.Selection.addSelection(network, edge_at(network, place))
     Gui.runCommand("EdgeScan_EdgeWire")
     (wire,) = Gui.Selection.getSelection()
     assert wire.Shape.ShapeType == "Wire"
@@ -539,7 +541,7 @@ def test_selected_edges_of_a_network_become_a_wire(
     assert any("make_edge_wire" in line for line in recorded)
     Gui.Selection.clearSelection()
     for place in (TOP_FRONT, (10.0, 18.0, 12.0)):
-        Gui.Selection.addSelection(network, name(place))
+        Gui.Selection.addSelection(network, edge_at(network, place))
     Gui.runCommand("EdgeScan_EdgeWire")
     assert "separate chains" in problems.pop()
 
@@ -582,3 +584,49 @@ def test_a_face_that_is_not_wanted_after_all_leaves_no_trace(known: Any, network
     known.press_escape()
     known.wait_until(lambda: not Gui.Control.activeDialog())
     known.wait_until(lambda: known.trace() == before)
+
+
+def test_a_profile_is_swept_along_edges_picked_in_the_network(
+    known: Any, network: Any, recorded: list[str]
+) -> None:
+    profile = known.doc.addObject("Part::Feature", "Profile")
+    profile.Shape = Part.Wire(
+        Part.makeCircle(0.5, FreeCAD.Vector(0, 0, 12), FreeCAD.Vector(1, 0, 0))
+    )
+    known.doc.recompute()
+    steps = known.doc.UndoCount
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(profile)
+    for place in (TOP_FRONT, (24.0, 9.0, 12.0)):
+        Gui.Selection.addSelection(network, edge_at(network, place))
+    Gui.runCommand("EdgeScan_Sweep")
+    sweep = known.doc.Objects[-1]
+    assert sweep.Spine[0].EdgeCount == 2
+    # The lengths of both edges, mitred in the corner, times the profile's circumference.
+    assert sweep.Shape.Area == pytest.approx(np.pi * (24 + 18), rel=0.05)
+    assert known.doc.UndoCount == steps + 1
+    area, name = sweep.Shape.Area, sweep.Name
+    known.doc.undo()
+    assert known.doc.Objects[-1].Name == "Profile"
+    exec("import FreeCAD\n" + "\n".join(recorded), {})
+    assert known.doc.getObject(name).Shape.Area == area
+
+
+def test_a_skin_is_laid_through_edges_picked_in_the_network(known: Any, network: Any) -> None:
+    Gui.Selection.clearSelection()
+    for place in (TOP_FRONT, (10.0, 0.0, 0.0)):
+        Gui.Selection.addSelection(network, edge_at(network, place))
+    Gui.runCommand("EdgeScan_Loft")
+    skin = known.doc.Objects[-1]
+    assert skin.Shape.Area == pytest.approx(SIZE[0] * SIZE[2], rel=0.03)
+
+
+def test_edges_picked_for_something_that_cannot_be_leave_no_trace(
+    known: Any, network: Any, problems: list[str]
+) -> None:
+    before = known.trace()
+    Gui.Selection.clearSelection()
+    Gui.Selection.addSelection(network, edge_at(network, TOP_FRONT))
+    Gui.runCommand("EdgeScan_Sweep")
+    assert "Select two" in problems[0]
+    assert known.trace() == before
