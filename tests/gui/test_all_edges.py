@@ -19,6 +19,8 @@ import freecad_edgescan as es  # noqa: E402
 from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.document.network_search import NetworkSearch, keep_network  # noqa: E402
 
+from .test_scan_panel_macro import replayed  # noqa: E402
+
 SIZE = (24.0, 18.0, 12.0)
 PITCH = 0.5
 TOP_FRONT = (10.0, 0.0, 12.0)  # on an edge along x that is seen from the front
@@ -630,3 +632,28 @@ def test_edges_picked_for_something_that_cannot_be_leave_no_trace(
     Gui.runCommand("EdgeScan_Sweep")
     assert "Select two" in problems[0]
     assert known.trace() == before
+
+
+@pytest.mark.slow
+def test_a_macro_replays_without_a_window_bit_for_bit(
+    known: Any, recorded: list[str], tmp_path: Path
+) -> None:
+    path, out = tmp_path / "box.FCStd", tmp_path / "network.brep"
+    known.doc.saveAs(str(path))
+    form = found(known).form
+    enter(form._length, 14.0)
+    known.click(TOP_FRONT)
+    known.click(UPRIGHT)
+    known.ok()
+    (network,) = networks(known)
+    macro = tmp_path / "recorded_by_clicking.py"
+    told = [
+        "import FreeCAD",
+        f"FreeCAD.openDocument({str(path)!r})",
+        *(line.replace(repr(known.doc.Name), "FreeCAD.ActiveDocument.Name") for line in recorded),
+        f"open({str(out)!r}, 'w').write(network.Shape.exportBrepToString())",
+        "import sys; sys.exit(0)",
+    ]
+    macro.write_text("\n".join(told), encoding="utf-8")
+    replayed(macro, tmp_path / "home")
+    assert out.read_text() == network.Shape.exportBrepToString()
