@@ -187,9 +187,9 @@ class ScanEdgePanel(ViewPanel):
             return
         method = self._form.parameters.method
         inputs = ScanInputs(self._at, self._gate, given, method, self._min_angle)
+        self.begin_work(ScanJob(self._cloud[1], inputs), LiveEdge.of_walk)
         self._form.say(translate("The edge is being followed."))
         self._form.show_progress(True)
-        self.begin_work(ScanJob(self._cloud[1], inputs), LiveEdge.of_walk)
 
     def show_report(self, digest: LiveEdge) -> None:
         """The edge has grown."""
