@@ -1047,6 +1047,10 @@
       <translation>Länge einer Abtastlinie entlang der Oberfläche, zur Hälfte auf jeder Seite</translation>
     </message>
     <message>
+      <source>Length {length}; on average sigma {sigma}, angle {angle}</source>
+      <translation>Länge {length}; im Mittel Sigma {sigma}, Winkel {angle}</translation>
+    </message>
+    <message>
       <source>Line by line (probe)</source>
       <translation>Linie für Linie (probe)</translation>
     </message>
@@ -1107,10 +1111,6 @@ wird gesucht …</translation>
     <message>
       <source>Of the cloud's points, in pixels; own: as elsewhere</source>
       <translation>Der Punkte der Punktwolke, in Pixeln; eigene: wie sonst auch</translation>
-    </message>
-    <message>
-      <source>On average: sigma {sigma}, angle {angle}</source>
-      <translation>Im Mittel: Sigma {sigma}, Winkel {angle}</translation>
     </message>
     <message>
       <source>One click: the whole edge</source>
@@ -1209,6 +1209,10 @@ wird gesucht …</translation>
       <translation>Verrundungsradius</translation>
     </message>
     <message>
+      <source>Rows with nan or inf that are left out: {count}.</source>
+      <translation>Ausgelassene Zeilen mit nan oder inf: {count}.</translation>
+    </message>
+    <message>
       <source>Save deviations</source>
       <translation>Abweichungen speichern</translation>
     </message>
@@ -1251,6 +1255,10 @@ wird gesucht …</translation>
     <message>
       <source>Sigma</source>
       <translation>Sigma</translation>
+    </message>
+    <message>
+      <source>Sigma is the standard deviation of an edge point across the edge: about two of three lie within it. A good edge's is well below the distance of the points.</source>
+      <translation>Sigma ist die Standardabweichung eines Kantenpunkts quer zur Kante: etwa zwei von drei liegen innerhalb. Bei einer guten Kante ist es deutlich kleiner als der Abstand der Punkte.</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge</source>

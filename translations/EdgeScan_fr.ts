@@ -1047,6 +1047,10 @@
       <translation>Longueur d'une ligne de palpage le long de la surface, moitié de chaque côté</translation>
     </message>
     <message>
+      <source>Length {length}; on average sigma {sigma}, angle {angle}</source>
+      <translation>Longueur {length} ; en moyenne sigma {sigma}, angle {angle}</translation>
+    </message>
+    <message>
       <source>Line by line (probe)</source>
       <translation>Ligne par ligne (probe)</translation>
     </message>
@@ -1107,10 +1111,6 @@ l'arête …</translation>
     <message>
       <source>Of the cloud's points, in pixels; own: as elsewhere</source>
       <translation>Des points du nuage, en pixels ; propre : comme ailleurs</translation>
-    </message>
-    <message>
-      <source>On average: sigma {sigma}, angle {angle}</source>
-      <translation>En moyenne : sigma {sigma}, angle {angle}</translation>
     </message>
     <message>
       <source>One click: the whole edge</source>
@@ -1209,6 +1209,10 @@ l'arête …</translation>
       <translation>Rayon de l'arrondi</translation>
     </message>
     <message>
+      <source>Rows with nan or inf that are left out: {count}.</source>
+      <translation>Lignes omises, avec nan ou inf : {count}.</translation>
+    </message>
+    <message>
       <source>Save deviations</source>
       <translation>Enregistrer les écarts</translation>
     </message>
@@ -1251,6 +1255,10 @@ l'arête …</translation>
     <message>
       <source>Sigma</source>
       <translation>Sigma</translation>
+    </message>
+    <message>
+      <source>Sigma is the standard deviation of an edge point across the edge: about two of three lie within it. A good edge's is well below the distance of the points.</source>
+      <translation>Sigma est l'écart type d'un point d'arête en travers de l'arête : environ deux sur trois s'y trouvent. Celui d'une bonne arête est nettement inférieur à la distance des points.</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge</source>

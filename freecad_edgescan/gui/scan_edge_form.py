@@ -61,6 +61,12 @@ class ScanEdgeForm(QtWidgets.QWidget):
         self.stop.setToolTip(translate("End the scan and keep the edge as far as it is known"))
         self._so_far = QtWidgets.QLabel()
         self._figures = QtWidgets.QLabel()
+        self._figures.setToolTip(
+            translate(
+                "Sigma is the standard deviation of an edge point across the edge: about two of "
+                "three lie within it. A good edge's is well below the distance of the points."
+            )
+        )
         self._message = QtWidgets.QLabel()
         for label in (self._figures, self._message):
             label.setWordWrap(True)
@@ -157,7 +163,8 @@ def _scrolling(widget: Any) -> Any:
 
 
 def _figures(edge: ScannedEdge) -> str:
-    text = translate("On average: sigma {sigma}, angle {angle}").format(
+    text = translate("Length {length}; on average sigma {sigma}, angle {angle}").format(
+        length=length_text(edge.length),
         sigma=length_text(float(np.nanmean(edge.sigma))),
         angle=angle_text(float(np.nanmean(edge.angle))),
     )

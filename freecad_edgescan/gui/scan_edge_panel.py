@@ -217,7 +217,7 @@ class ScanEdgePanel(ViewPanel):
         self._form.show_progress(False)
         if self._places.points and len(self._places.points) == self._places.way.clicks:
             self._places.forget()
-        self._form.say(sentence)
+        self.say_and_ask(sentence)
 
     def _forget_edge(self) -> None:
         self.end_work()
