@@ -1047,10 +1047,6 @@
       <translation>Länge einer Abtastlinie entlang der Oberfläche, zur Hälfte auf jeder Seite</translation>
     </message>
     <message>
-      <source>Length {length}; on average sigma {sigma}, angle {angle}</source>
-      <translation>Länge {length}; im Mittel Sigma {sigma}, Winkel {angle}</translation>
-    </message>
-    <message>
       <source>Line by line (probe)</source>
       <translation>Linie für Linie (probe)</translation>
     </message>
@@ -1111,6 +1107,10 @@ wird gesucht …</translation>
     <message>
       <source>Of the cloud's points, in pixels; own: as elsewhere</source>
       <translation>Der Punkte der Punktwolke, in Pixeln; eigene: wie sonst auch</translation>
+    </message>
+    <message>
+      <source>On average: sigma {sigma}, angle {angle}</source>
+      <translation>Im Mittel: Sigma {sigma}, Winkel {angle}</translation>
     </message>
     <message>
       <source>One click: the whole edge</source>

@@ -1047,10 +1047,6 @@
       <translation>Longueur d'une ligne de palpage le long de la surface, moitié de chaque côté</translation>
     </message>
     <message>
-      <source>Length {length}; on average sigma {sigma}, angle {angle}</source>
-      <translation>Longueur {length} ; en moyenne sigma {sigma}, angle {angle}</translation>
-    </message>
-    <message>
       <source>Line by line (probe)</source>
       <translation>Ligne par ligne (probe)</translation>
     </message>
@@ -1111,6 +1107,10 @@ l'arête …</translation>
     <message>
       <source>Of the cloud's points, in pixels; own: as elsewhere</source>
       <translation>Des points du nuage, en pixels ; propre : comme ailleurs</translation>
+    </message>
+    <message>
+      <source>On average: sigma {sigma}, angle {angle}</source>
+      <translation>En moyenne : sigma {sigma}, angle {angle}</translation>
     </message>
     <message>
       <source>One click: the whole edge</source>

@@ -149,7 +149,7 @@ class ScanEdgeForm(QtWidgets.QWidget):
             self._figures.setText("")
             return
         self._figures.setText(_figures(edge))
-        self._message.setText(edge.message)
+        self._message.setText(_message(edge))
 
 
 def _scrolling(widget: Any) -> Any:
@@ -162,9 +162,13 @@ def _scrolling(widget: Any) -> Any:
     return area
 
 
+def _message(edge: ScannedEdge) -> str:
+    """What happened, with the edge's length in the user's unit; the scan itself speaks of mm."""
+    return edge.message.replace(f" {edge.length:.4g} mm", f" {length_text(edge.length)}", 1)
+
+
 def _figures(edge: ScannedEdge) -> str:
-    text = translate("Length {length}; on average sigma {sigma}, angle {angle}").format(
-        length=length_text(edge.length),
+    text = translate("On average: sigma {sigma}, angle {angle}").format(
         sigma=length_text(float(np.nanmean(edge.sigma))),
         angle=angle_text(float(np.nanmean(edge.angle))),
     )

@@ -219,17 +219,23 @@ def grabbed(widget: Any) -> Picture:
     return picture
 
 
-def look_alike(name: str, seen: Picture) -> float:
-    """How alike a picture is to its reference where it is least so; new ones are written first."""
+def assert_looks_as_it_did(name: str, seen: Picture, folder: Path) -> None:
+    """Compare with the reference; or write it, when new ones are wanted.
+
+    Parameters
+    ----------
+    folder : where what is seen is kept, unless another one is named
+    """
     reference = REFERENCES / f"{name}.png"
-    folder = os.environ.get("EDGESCAN_PICTURES")
-    if folder:
-        write_picture(seen, Path(folder) / f"{VERSION}-{name}.png")
+    kept = Path(os.environ.get("EDGESCAN_PICTURES") or folder) / f"{VERSION}-{name}.png"
+    write_picture(seen, kept)
     if os.environ.get("EDGESCAN_NEW_PICTURES"):
         write_picture(seen, reference)
     if not REFERENCES.is_dir():
         pytest.skip(f"there are no pictures of FreeCAD {VERSION}")
-    return least_alike(seen, read_picture(reference))
+    assert least_alike(seen, read_picture(reference)) > ALIKE, (
+        f"compare {kept.resolve()} with {reference}; docs/figures.md says how to renew it"
+    )
 
 
 STATES: list[Callable[..., Picture]] = [
@@ -239,12 +245,16 @@ STATES: list[Callable[..., Picture]] = [
 
 
 @pytest.mark.parametrize("state", STATES, ids=lambda state: state.__name__)
-def test_a_state_looks_as_it_did(scene: Any, state: Callable[[Any], Picture]) -> None:
-    assert look_alike(state.__name__, state(scene)) > ALIKE
+def test_a_state_looks_as_it_did(
+    scene: Any, state: Callable[[Any], Picture], tmp_path: Path
+) -> None:
+    assert_looks_as_it_did(state.__name__, state(scene), tmp_path)
 
 
-def test_a_walk_looks_as_it_did(scene: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert look_alike("while_it_walks", while_it_walks(scene, monkeypatch)) > ALIKE
+def test_a_walk_looks_as_it_did(
+    scene: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    assert_looks_as_it_did("while_it_walks", while_it_walks(scene, monkeypatch), tmp_path)
 
 
 def test_a_missing_button_is_noticed(scene: Any, monkeypatch: pytest.MonkeyPatch) -> None:
