@@ -85,8 +85,6 @@ def main() -> None:
     shown = doc.Objects[-1]
     shown.Reach = 0.2
     doc.recompute()
-    for item in (cloud, sweep):
-        item.ViewObject.Visibility = False
     say(f"Deviation: {shown.Average.UserString} on average of {shown.PointCount} points.")
     select(shown)
     picture("deviation")

@@ -1321,6 +1321,10 @@ wird gesucht …</translation>
       <translation>Verrundungsradius</translation>
     </message>
     <message>
+      <source>Rows with nan or inf that are left out: {count}.</source>
+      <translation>Ausgelassene Zeilen mit nan oder inf: {count}.</translation>
+    </message>
+    <message>
       <source>Save deviations</source>
       <translation>Abweichungen speichern</translation>
     </message>
@@ -1379,6 +1383,10 @@ wird gesucht …</translation>
     <message>
       <source>Sigma</source>
       <translation>Sigma</translation>
+    </message>
+    <message>
+      <source>Sigma is the standard deviation of an edge point across the edge: about two of three lie within it. A good edge's is well below the distance of the points.</source>
+      <translation>Sigma ist die Standardabweichung eines Kantenpunkts quer zur Kante: etwa zwei von drei liegen innerhalb. Bei einer guten Kante ist es deutlich kleiner als der Abstand der Punkte.</translation>
     </message>
     <message>
       <source>Sigma up to</source>

@@ -1321,6 +1321,10 @@ l'arête …</translation>
       <translation>Rayon de l'arrondi</translation>
     </message>
     <message>
+      <source>Rows with nan or inf that are left out: {count}.</source>
+      <translation>Lignes omises, avec nan ou inf : {count}.</translation>
+    </message>
+    <message>
       <source>Save deviations</source>
       <translation>Enregistrer les écarts</translation>
     </message>
@@ -1379,6 +1383,10 @@ l'arête …</translation>
     <message>
       <source>Sigma</source>
       <translation>Sigma</translation>
+    </message>
+    <message>
+      <source>Sigma is the standard deviation of an edge point across the edge: about two of three lie within it. A good edge's is well below the distance of the points.</source>
+      <translation>Sigma est l'écart type d'un point d'arête en travers de l'arête : environ deux sur trois s'y trouvent. Celui d'une bonne arête est nettement inférieur à la distance des points.</translation>
     </message>
     <message>
       <source>Sigma up to</source>

@@ -174,7 +174,6 @@ class _ClickForm(QtWidgets.QWidget):
         self._sentence.setFont(bold)
         self._text = QtWidgets.QTextEdit()
         self._text.setReadOnly(True)
-        self._text.setMinimumHeight(18 * self.fontMetrics().lineSpacing())
         column = QtWidgets.QVBoxLayout(self)
         column.addWidget(self._sentence)
         column.addWidget(self._text)
@@ -199,6 +198,18 @@ class _ClickForm(QtWidgets.QWidget):
         """Show the answer, or hide the field when there is none."""
         self._text.setHtml(text)
         self._text.setVisible(bool(text))
+        self._fit()
+
+    def resizeEvent(self, event: Any) -> None:
+        """The answer may take more lines now, or fewer."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """As high as the answer is, so that nobody has to scroll in it."""
+        page = self._text.document()
+        page.setTextWidth(self._text.viewport().width())
+        self._text.setMinimumHeight(int(page.size().height()) + 2 * self._text.frameWidth())
 
 
 def _drawn(so_far: object) -> LiveEdge | None:

@@ -187,9 +187,9 @@ class ScanEdgePanel(CloudPanel):
             return
         method = self._form.parameters.method
         inputs = ScanInputs(self._at, self._gate, given, method, self._min_angle)
+        self.begin_work(ScanJob(self._cloud[1], inputs), LiveEdge.of_walk)
         self._form.say(translate("The edge is being followed."))
         self._form.show_progress(True)
-        self.begin_work(ScanJob(self._cloud[1], inputs), LiveEdge.of_walk)
 
     def show_report(self, digest: LiveEdge) -> None:
         """The edge has grown."""
@@ -217,7 +217,7 @@ class ScanEdgePanel(CloudPanel):
         self._form.show_progress(False)
         if self._places.points and len(self._places.points) == self._places.way.clicks:
             self._places.forget()
-        self._form.say(sentence)
+        self.say_and_ask(sentence)
 
     def _forget_edge(self) -> None:
         self.end_work()

@@ -9,8 +9,9 @@ from typing import Any
 from .command import Command
 from .obstacles import no_document
 from .picked_edges import wire_lines
-from .recorded_step import run_as_one_step
+from .recorded_step import object_line, run_as_one_step
 from .selected import selected_objects
+from .shown import select_only
 
 __all__ = ["SelectionCommand"]
 
@@ -25,6 +26,7 @@ class SelectionCommand(Command):
         select
     joins : whether edges of a network that are selected one by one and follow each other are one
         wire; False: each is one
+    covered : what was selected would hide what is made, and is itself hidden
     """
 
     def __init__(
@@ -36,30 +38,33 @@ class SelectionCommand(Command):
         line: Callable[[list[Any]], str],
         obstacle: Callable[[], str] = no_document,
         joins: bool = False,
+        covered: bool = False,
     ) -> None:
         super().__init__(name, title, tooltip, hint, self._make, obstacle)
-        self._line, self._joins = line, joins
+        self._line, self._joins, self._covered = line, joins, covered
 
     def _make(self, doc: Any) -> None:
         from .compute_beside import computing_beside
 
         chosen = selected_objects(doc)
         wires = {item.Name: wire_lines(doc, item, self._joins) for item in chosen}
-        first = [line for lines in wires.values() for line in lines]
-        if not first:
-            line = self._line(chosen)
-            run_as_one_step(doc, self.title, [line], computing_beside(self.title))
-            return
+        first = [line for made in wires.values() for line in made]
         before = len(doc.Objects)
 
         def then() -> str:
             made = iter(doc.Objects[before:])
-            with_wires = [
-                part
-                for item in chosen
-                for part in ([next(made) for _ in wires[item.Name]] or [item])
-            ]
-            return self._line(with_wires)
+            return self._line(
+                [
+                    part
+                    for item in chosen
+                    for part in ([next(made) for _ in wires[item.Name]] or [item])
+                ]
+            )
 
-        lines: list[str | Callable[[], str]] = [*first, "doc.recompute()", then]
-        run_as_one_step(doc, self.title, lines, computing_beside(self.title))
+        lines: list[str | Callable[[], str]] = [self._line(chosen)]
+        if first:
+            lines = [*first, "doc.recompute()", then]
+        if self._covered:
+            lines += [f"{object_line(item)}.Visibility = False" for item in chosen]
+        made = run_as_one_step(doc, self.title, lines, computing_beside(self.title))
+        select_only(made[len(first) :])

@@ -101,6 +101,7 @@ def surface_commands() -> list[Command]:
             QT_TRANSLATE_NOOP("EdgeScan_DeviationMap", "Select a cloud, and a surface or part"),
             lambda chosen: _of_cloud_and_surface(chosen, "make_deviation_map"),
             no_cloud_or_shape,
+            covered=True,
         ),
     ]
 

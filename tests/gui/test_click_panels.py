@@ -61,6 +61,7 @@ def test_two_clicks_give_the_boundary_of_a_face_in_one_undo_step(
     block.settle()
     (boundary,) = Gui.Selection.getSelection()
     assert boundary.EdgeCount == 4
+    assert boundary.ViewObject.DisplayMode == "Flat Lines"
     assert boundary.Length.Value == pytest.approx(72, abs=0.1)
     assert block.doc.UndoCount == steps + 1
     brep, name = boundary.Shape.exportBrepToString(), boundary.Name
