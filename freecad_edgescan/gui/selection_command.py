@@ -61,9 +61,9 @@ class SelectionCommand(Command):
                 ]
             )
 
-        lines: list[str | Callable[[], str]] = [self._line(chosen)]
-        if first:
-            lines = [*first, "doc.recompute()", then]
+        lines: list[str | Callable[[], str]] = [*first, "doc.recompute()", then]
+        if not first:
+            lines = [self._line(chosen)]
         if self._covered:
             lines += [f"{object_line(item)}.Visibility = False" for item in chosen]
         made = run_as_one_step(doc, self.title, lines, computing_beside(self.title))
