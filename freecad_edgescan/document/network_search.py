@@ -17,7 +17,7 @@ from ..scanning.automatic import MIN_ANGLE
 from ..scanning.edge_choice import EdgeChoice, part_of_network
 from ..scanning.network.find_edges import SHORTEST
 
-__all__ = ["NetworkSearch", "keep_network", "known_network"]
+__all__ = ["NetworkSearch", "keep_network"]
 
 _MOST_NETWORKS = 2  # of one cloud
 _FOUND = "networks found in it"
@@ -57,9 +57,9 @@ class NetworkSearch:
         ------
         ScanError, ValueError: see `find_edges`.
         """
-        network = known_network(cloud, self)
-        if network is not None:
-            return network
+        known: EdgeNetwork | None = vars(cloud).get(_FOUND, {}).get(self)
+        if known is not None:
+            return known
         until = _Until(self.most, progress)
         network = find_edges(cloud, self.min_angle, self.min_length, until)
         if until.enough and (network.cancelled or len(network) > self.most):
@@ -79,12 +79,6 @@ class NetworkSearch:
         network = _first(network, len(network))
         keep_network(search, network)
         return search, network
-
-
-def known_network(cloud: PointCloud, search: NetworkSearch) -> EdgeNetwork | None:
-    """What a search has found before; None: it has not been made, or is forgotten."""
-    network: EdgeNetwork | None = vars(cloud).get(_FOUND, {}).get(search)
-    return network
 
 
 def keep_network(search: NetworkSearch, network: EdgeNetwork) -> None:

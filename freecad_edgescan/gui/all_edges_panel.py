@@ -18,17 +18,16 @@ from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.document.edge_network import choice_of
 from freecad_edgescan.document.network_search import NetworkSearch
-from freecad_edgescan.scanning import ScannedEdge
 from freecad_edgescan.scanning.automatic import MIN_ANGLE
-from freecad_edgescan.scanning.edge_choice import EdgeChoice, part_of_network, turn_of
+from freecad_edgescan.scanning.edge_choice import EdgeChoice, part_of_network
 
 from .all_edges_form import AllEdgesForm
+from .edge_text import edge_text
 from .find_job import EdgesSoFar, FindJob, FoundNetwork
 from .message import CancelledError
 from .network_commit import change_network, make_group, make_network
 from .network_display import NetworkDisplay
 from .preferences import makes_one_network, remember_one_network
-from .quantities import angle_text, length_text
 from .shown import select_only
 from .single_shot import single_shot
 from .thinned_clouds import is_shown
@@ -334,16 +333,3 @@ class AllEdgesPanel(ViewPanel):
             else translate("Left out. Click to keep it.")
         )
         return f"{edge_text(edge)}\n{done}"
-
-
-def edge_text(edge: ScannedEdge) -> str:
-    """An edge in a few numbers."""
-    text = translate("Edge of {length}, turn {turn}, sigma {sigma}").format(
-        length=length_text(edge.length),
-        turn=angle_text(turn_of(edge)),
-        sigma=length_text(float(np.median(edge.sigma))),
-    )
-    radii = edge.fillet_radius[np.isfinite(edge.fillet_radius)]
-    if len(radii) >= 0.5 * len(edge):
-        text += translate(", rounding {radius}").format(radius=length_text(float(np.median(radii))))
-    return text
