@@ -15,9 +15,9 @@ from freecad_edgescan.scanning import ScannedEdge, scan_boundary
 
 from .click_panel import ClickPanel
 from .html_table import html_table
-from .length_field import length_text
 from .live_edge import LiveEdge
 from .picking import Array
+from .quantities import length_text
 from .recorded_step import as_literal, object_line, run_as_one_step
 from .shown import select_only
 from .translation import translate
@@ -75,7 +75,7 @@ class BoundaryPanel(ClickPanel):
             f"document.make_scanned_boundary(doc, {object_line(self.cloud)}, at={at}, "
             f"inside={inside})"
         )
-        select_only(run_as_one_step(self.doc, self.title, [line], self._hand_over))
+        select_only(run_as_one_step(self._doc, self.title, [line], self._hand_over))
 
     def _hand_over(self, made: list[Any]) -> None:
         if self.up_to_date():

@@ -9,40 +9,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-import FreeCADGui
-
 from freecad_edgescan import document
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.scanning import SoFar
 
-from .clicked_cloud import clicked_cloud, visible_clouds
-from .document_watch import DocumentWatch
+from .clicked_cloud import Picked
+from .cloud_panel import CloudPanel
 from .edge_preview import EdgePreview
 from .icons import icon_path
 from .live_edge import LiveEdge
 from .picking import Array
 from .qt import QtGui, QtWidgets
 from .translation import translate
-from .view_clicks import ViewClicks
-from .view_panel import ViewPanel
 
-__all__ = ["ClickPanel", "view_for_clicks"]
+__all__ = ["ClickPanel"]
 
 
-def view_for_clicks() -> Any:
-    """The 3D view in front.
-
-    Raises
-    ------
-    ValueError: another window is in front.
-    """
-    view = FreeCADGui.ActiveDocument.ActiveView
-    if not hasattr(view, "getSceneGraph"):
-        raise ValueError(translate("Bring a 3D view to the front, then start again."))
-    return view
-
-
-class ClickPanel(ViewPanel):
+class ClickPanel(CloudPanel):
     """The panel; a command gives it its questions, its calculation and its answer.
 
     Parameters
@@ -52,34 +35,19 @@ class ClickPanel(ViewPanel):
     icon : name of the command
     title : of the panel
     questions : what to click, one sentence for each click
-
-    Raises
-    ------
-    ValueError: the document shows no cloud.
     """
 
     def __init__(
         self, doc: Any, view: Any, icon: str, title: str, questions: Sequence[str]
     ) -> None:
-        if not visible_clouds(doc):
-            raise ValueError(
-                translate(
-                    "This document shows no point cloud. Import one (EdgeScan → Import cloud), "
-                    "or make a hidden one visible."
-                )
-            )
-        super().__init__(view, _ClickForm(title, icon))
-        self.doc, self.title, self.questions = doc, title, questions
+        super().__init__(doc, view, _ClickForm(title, icon))
+        self.title, self.questions = title, questions
         self.cloud: Any = None
         self.numbers: PointCloud | None = None
         self.places: list[Array] = []
         self.result: Any = None
         self.preview = EdgePreview(view)
-        self._clicks = ViewClicks(view, self._click, self.leave_soon)
-        self._document_watch = DocumentWatch(
-            doc, _nothing, self._object_deleted, _nothing, self.vanish
-        )
-        self._ask()
+        self.ask()
 
     # What a command's own panel does.
 
@@ -125,40 +93,37 @@ class ClickPanel(ViewPanel):
     def let_go(self, restore: bool) -> None:
         """Take everything of the panel's out of the view and end its thread."""
         super().let_go(restore)
-        self._document_watch.end()
-        self._clicks.close()
         self.preview.close()
 
-    def _object_deleted(self, name: str) -> None:
-        if self._open and self.cloud is not None and name == self.cloud.Name:
-            self._start_over()
-            self._form.say(translate("The cloud was deleted.") + " " + self._question())
+    def question(self) -> str:
+        """The question of the next click, or what to wait for, or what can be done then."""
+        if len(self.places) < len(self.questions):
+            return self.questions[len(self.places)]
+        if self.result is None:
+            return translate("Computing. Cancel gives it up.")
+        return self.after_result()
 
-    # What the user does.
-
-    def _click(self, position: tuple[int, int]) -> None:
-        if len(self.places) == len(self.questions):
+    def take(self, picked: Picked) -> None:
+        """Keep a place that was clicked on; compute when it was the last one."""
+        elsewhere = self.cloud is not None and picked.item is not self.cloud
+        if elsewhere or len(self.places) == len(self.questions):
             self._start_over()
-        clouds = visible_clouds(self.doc) if self.cloud is None else [self.cloud]
-        numbers = [(item, document.point_cloud(item)) for item in clouds]
-        picked = clicked_cloud(self._view, position, numbers)
-        if picked is None:
-            missed = translate("There is no point of a visible cloud under the cursor.")
-            self._form.say(f"{missed} {self._question()}")
-            return
         self.cloud, self.numbers = picked.item, picked.numbers
+        self._clicks.used = picked.item
         self.places.append(picked.point)
         self.preview.show_clicks(self.places)
-        if len(self.places) < len(self.questions):
-            self._ask()
-        else:
+        self.ask()
+        if len(self.places) == len(self.questions):
             self._compute()
+
+    def lose(self, sentence: str) -> None:
+        """Begin again."""
+        self._start_over()
+        self.say_and_ask(sentence)
 
     def _compute(self) -> None:
         numbers, places = self.numbers, list(self.places)
         assert numbers is not None
-        self._form.show_progress(True)
-        self._form.say(translate("Computing. Cancel gives it up."))
         self.begin_work(lambda progress: self.calculate(numbers, places, progress), _drawn)
 
     def show_report(self, digest: LiveEdge | None) -> None:
@@ -169,15 +134,14 @@ class ClickPanel(ViewPanel):
     def show_result(self, result: Any) -> None:
         """Draw the result and say what it is."""
         self.result = result
-        self._form.show_progress(False)
         self._form.show_text(self.draw_result(result))
-        self._form.say(self.after_result())
+        self.ask()
         self.allow_ok()
 
     def show_failure(self, sentence: str) -> None:
         """Say what went wrong, and ask again."""
         self._start_over()
-        self._form.say(f"{sentence} {self._question()}")
+        self.say_and_ask(sentence)
 
     # The rest.
 
@@ -188,24 +152,16 @@ class ClickPanel(ViewPanel):
     def _start_over(self) -> None:
         self.end_work()
         self.cloud = self.numbers = self.result = None
+        self._clicks.used = None
         self.places = []
         self.preview.show_clicks(())
         self.preview.clear_edge()
-        self._form.show_progress(False)
         self._form.show_text("")
         self.allow_ok()
-        self._ask()
-
-    def _question(self) -> str:
-        sentence = self.questions[min(len(self.places), len(self.questions) - 1)]
-        return self.for_clicks(sentence)
-
-    def _ask(self) -> None:
-        self._form.say(self._question())
 
 
 class _ClickForm(QtWidgets.QWidget):
-    """The widget inside the panel: a sentence, a bar while it computes, the answer."""
+    """The widget inside the panel: a sentence and the answer."""
 
     def __init__(self, title: str, icon: str) -> None:
         super().__init__()
@@ -216,16 +172,12 @@ class _ClickForm(QtWidgets.QWidget):
         bold = self._sentence.font()
         bold.setBold(True)
         self._sentence.setFont(bold)
-        self._progress = QtWidgets.QProgressBar()
-        self._progress.setRange(0, 0)
         self._text = QtWidgets.QTextEdit()
         self._text.setReadOnly(True)
-        self._text.setMinimumHeight(18 * self.fontMetrics().lineSpacing())
         column = QtWidgets.QVBoxLayout(self)
-        for widget in (self._sentence, self._progress, self._text):
-            column.addWidget(widget)
+        column.addWidget(self._sentence)
+        column.addWidget(self._text)
         column.addStretch()
-        self.show_progress(False)
         self.show_text("")
 
     @property
@@ -242,20 +194,24 @@ class _ClickForm(QtWidgets.QWidget):
         """Tell the user what to do now, or what went wrong."""
         self._sentence.setText(sentence)
 
-    def show_progress(self, running: bool) -> None:
-        """Show or hide the bar."""
-        self._progress.setVisible(running)
-
     def show_text(self, text: str) -> None:
         """Show the answer, or hide the field when there is none."""
         self._text.setHtml(text)
         self._text.setVisible(bool(text))
+        self._fit()
+
+    def resizeEvent(self, event: Any) -> None:
+        """The answer may take more lines now, or fewer."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """As high as the answer is, so that nobody has to scroll in it."""
+        page = self._text.document()
+        page.setTextWidth(self._text.viewport().width())
+        self._text.setMinimumHeight(int(page.size().height()) + 2 * self._text.frameWidth())
 
 
 def _drawn(so_far: object) -> LiveEdge | None:
     """What the preview shows of a report: an edge that is being walked along."""
     return LiveEdge.of_walk(so_far) if isinstance(so_far, SoFar) else None
-
-
-def _nothing(*_: object) -> None:
-    """What happens to other things in the document does not matter here."""

@@ -24,9 +24,10 @@ _ICONS = {
     "ThinnedCloudProxy": "EdgeScan_ThinCloud",
     "CompensatedCloudProxy": "EdgeScan_CompensateCloud",
     "ScannedBoundaryProxy": "EdgeScan_ScanBoundary",
-    "EdgeNetworkProxy": "EdgeScan_ScanBoundary",
+    "EdgeNetworkProxy": "EdgeScan_ScanAllEdges",
+    "EdgeWireProxy": "EdgeScan_EdgeWire",
 }
-_EDGES = ("ScannedBoundaryProxy", "EdgeNetworkProxy")
+_EDGES = ("ScannedBoundaryProxy", "EdgeNetworkProxy", "EdgeWireProxy")
 _SHADED = ("SimulatedCloudProxy", "ThinnedCloudProxy", "CompensatedCloudProxy")
 
 
@@ -54,7 +55,7 @@ class ViewProviderComputed:
             from .cloud_looks import shade
 
             shade(obj)
-        if name in ("Color", "Points") and type(getattr(obj, "Proxy", None)).__name__ in _ICONS:
+        if name in ("Color", "Points") and _is_cloud_of_ours(obj):
             _show_points(obj.ViewObject, coloured=hasattr(obj, "Color"))
 
     def getIcon(self) -> str:
@@ -71,6 +72,11 @@ class ViewProviderComputed:
     # FreeCAD before 0.21.2 asks for these instead.
     __getstate__ = dumps
     __setstate__ = loads
+
+
+def _is_cloud_of_ours(obj: Any) -> bool:
+    kind = type(getattr(obj, "Proxy", None)).__name__
+    return kind in _ICONS and bool(obj.isDerivedFrom("Points::Feature"))
 
 
 def _show_points(view_object: Any, coloured: bool) -> None:

@@ -3,35 +3,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import FreeCAD
 
+from .qt import QtCore
+
 __all__ = ["DocumentWatch"]
 
 
-class DocumentWatch:
+class DocumentWatch(QtCore.QObject):
     """Watches one document until ``end``.
 
     Parameters
     ----------
     doc : App.Document
-    changed : called with an object and the name of the property that has changed
-    deleted : called with the name of an object that is going
-    shown_or_hidden : called when an object appears on the screen or disappears
-    closed : called when the document is going
+
+    Signals
+    -------
+    changed(item, name) : a property of an object has changed
+    deleted(name) : an object is going
+    shown_or_hidden() : an object has appeared on the screen or disappeared
+    closed() : the document is going
     """
 
-    def __init__(
-        self,
-        doc: Any,
-        changed: Callable[[Any, str], None],
-        deleted: Callable[[str], None],
-        shown_or_hidden: Callable[[], None],
-        closed: Callable[[], None],
-    ) -> None:
-        self._observer: Any = _Observer(doc.Name, changed, deleted, shown_or_hidden, closed)
+    changed = QtCore.Signal(object, str)
+    deleted = QtCore.Signal(str)
+    shown_or_hidden = QtCore.Signal()
+    closed = QtCore.Signal()
+
+    def __init__(self, doc: Any) -> None:
+        super().__init__()
+        self._observer: Any = _Observer(doc.Name, self)
         FreeCAD.addDocumentObserver(self._observer)
 
     def end(self) -> None:
@@ -44,16 +47,8 @@ class DocumentWatch:
 class _Observer:
     """FreeCAD calls these, for all documents."""
 
-    def __init__(
-        self,
-        name: str,
-        changed: Callable[[Any, str], None],
-        deleted: Callable[[str], None],
-        shown_or_hidden: Callable[[], None],
-        closed: Callable[[], None],
-    ) -> None:
-        self._name, self._changed, self._deleted = name, changed, deleted
-        self._shown_or_hidden, self._closed = shown_or_hidden, closed
+    def __init__(self, name: str, watch: DocumentWatch) -> None:
+        self._name, self._watch = name, watch
 
     def slotChangedObject(self, item: Any, name: str) -> None:
         if item.Document.Name != self._name:
@@ -61,19 +56,19 @@ class _Observer:
         # The object's own Visibility follows that of its view provider; what FreeCAD's window
         # tells of view providers it tells before they have an object, which 0.20 does not survive.
         if name == "Visibility":
-            self._shown_or_hidden()
+            self._watch.shown_or_hidden.emit()
         else:
-            self._changed(item, name)
+            self._watch.changed.emit(item, name)
 
     def slotCreatedObject(self, item: Any) -> None:
         # Also when its deletion is undone.
         if item.Document.Name == self._name:
-            self._shown_or_hidden()
+            self._watch.shown_or_hidden.emit()
 
     def slotDeletedObject(self, item: Any) -> None:
         if item.Document.Name == self._name:
-            self._deleted(item.Name)
+            self._watch.deleted.emit(item.Name)
 
     def slotDeletedDocument(self, doc: Any) -> None:
         if doc.Name == self._name:
-            self._closed()
+            self._watch.closed.emit()

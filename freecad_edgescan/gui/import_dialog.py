@@ -3,18 +3,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
 
 from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.cloud.point_cloud import require_surface
 from freecad_edgescan.cloud.reading import UNITS
 
 from . import preferences
 from .form_dialog import FormDialog
-from .length_field import length_field, length_in, length_text
+from .length_field import length_field, length_in
 from .qt import QtWidgets
+from .quantities import length_text
 from .translation import count_text, translate
 
 __all__ = ["ImportDialog"]
@@ -77,11 +79,7 @@ class ImportDialog(FormDialog):
     def _show(self, _: int = 0) -> None:
         """Say how large everything is in the unit chosen."""
         scale = UNITS[self.unit]
-        count = sum(len(cloud) for cloud in self._clouds.values())
-        names = ", ".join(path.name for path in self._clouds)
-        self.sentence.setText(
-            translate("{names}: {count} points.").format(names=names, count=count_text(count))
-        )
+        self.sentence.setText(" ".join([self._counted(), *self._doubts()]))
         size = scale * np.max([cloud.size for cloud in self._clouds.values()], axis=0)
         text = " × ".join(length_text(extent) for extent in size)
         if size.max() < _SMALLEST:
@@ -97,6 +95,25 @@ class ImportDialog(FormDialog):
                 "and exports use it."
             ).format(distance=length_text(far))
         )
+
+    def _counted(self) -> str:
+        """How many points there are, and how many rows hold none."""
+        names = ", ".join(path.name for path in self._clouds)
+        count = sum(len(cloud) for cloud in self._clouds.values())
+        text = translate("{names}: {count} points.").format(names=names, count=count_text(count))
+        dropped = sum(cloud.dropped for cloud in self._clouds.values())
+        if dropped:
+            left_out = translate("Rows with nan or inf that are left out: {count}.")
+            text += " " + left_out.format(count=count_text(dropped))
+        return text
+
+    def _doubts(self) -> Iterator[str]:
+        """Why there can be no edge in a cloud."""
+        for cloud in self._clouds.values():
+            try:
+                require_surface(cloud)
+            except ValueError as error:
+                yield str(error)
 
 
 def _distance(cloud: PointCloud) -> float:

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Lengths in whatever units the user works in, as a field and as text; mm inside."""
+"""A field for a length in whatever unit the user works in; mm inside."""
 
 from __future__ import annotations
 
 from typing import Any
 
-import FreeCAD
 import FreeCADGui
 
-__all__ = ["length_field", "length_in", "length_text", "set_length"]
+__all__ = ["length_field", "length_in", "set_length"]
 
 
 def length_field(millimetres: float, tooltip: str = "") -> Any:
@@ -28,8 +27,3 @@ def set_length(field: Any, millimetres: float) -> None:
 def length_in(field: Any) -> float:
     """What was entered, mm."""
     return float(field.property("rawValue"))
-
-
-def length_text(millimetres: float) -> str:
-    """A length as the user writes it."""
-    return str(FreeCAD.Units.Quantity(float(millimetres), FreeCAD.Units.Length).UserString)

@@ -14,7 +14,7 @@ from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.cloud.point_cloud import require_surface
 
 from .background import Background
-from .clicked_cloud import Picked, clicked_cloud, visible_clouds
+from .clicked_cloud import visible_clouds
 from .live_edge import LiveEdge
 from .qt import QtCore
 
@@ -27,6 +27,10 @@ _MATTERS = ("Points", "Placement", "ProbeRadius", "Approach", "Group")
 class PanelClouds(QtCore.QObject):
     """The visible clouds of a document, until ``close``.
 
+    Attributes
+    ----------
+    refusal : why the first cloud that is seen but cannot be worked with cannot; "": all can
+
     Signals
     -------
     indexed() : a click can be answered at once
@@ -34,25 +38,26 @@ class PanelClouds(QtCore.QObject):
 
     indexed = QtCore.Signal()
 
-    def __init__(self, doc: Any, view: Any) -> None:
+    def __init__(self, doc: Any) -> None:
         super().__init__()
         self._doc = doc
-        self._view = view
         self._numbers: dict[str, PointCloud] = {}
         self._index: Background | None = None
+        self.refusal = ""
         self.prepare()
 
     def prepare(self) -> None:
         """Take the numbers of the clouds that can be seen now, and index them in the background."""
         self._end_index()
-        clouds = [self.numbers(item) for item in visible_clouds(self._doc)]
+        clouds = [numbers for _, numbers in self.shown()]
         if not clouds:
             return
 
         def index(progress: Background) -> None:
             for cloud in clouds:
                 _ = cloud.tree, cloud.pitch, cloud.noise
-                require_surface(cloud)
+                with suppress(ValueError):  # said when it is scanned
+                    require_surface(cloud)
             _warm_up()
 
         self._index = Background(index)
@@ -66,11 +71,23 @@ class PanelClouds(QtCore.QObject):
         return self._index is None
 
     def shown(self) -> list[tuple[Any, PointCloud]]:
-        """The clouds that can be seen, objects with their numbers."""
-        return [(item, self.numbers(item)) for item in visible_clouds(self._doc)]
+        """The clouds that can be seen and worked with, objects with their numbers."""
+        self.refusal = ""
+        usable = []
+        for item in visible_clouds(self._doc):
+            try:
+                usable.append((item, self.numbers(item)))
+            except ValueError as error:
+                self.refusal = self.refusal or str(error)
+        return usable
 
     def numbers(self, item: Any) -> PointCloud:
-        """The points of a cloud object as numbers; looked up once, until it changes."""
+        """The points of a cloud object as numbers; looked up once, until it changes.
+
+        Raises
+        ------
+        ScanError: it has none that can be worked with.
+        """
         if item.Name not in self._numbers:
             self._numbers[item.Name] = document.point_cloud(item)
         return self._numbers[item.Name]
@@ -80,11 +97,11 @@ class PanelClouds(QtCore.QObject):
         return item.Name in self._numbers
 
     def changed(self, item: Any, name: str) -> bool:
-        """Take note of a property that has changed; True when some numbers are old now."""
+        """Take note of a property that has changed; True when clouds are to be looked at anew."""
         if name not in _MATTERS:
             return False
-        if item.Name in self._numbers:
-            del self._numbers[item.Name]
+        if item.isDerivedFrom("Points::Feature"):
+            self._numbers.pop(item.Name, None)
             return True
         if name in ("Placement", "Group") and item.hasExtension("App::GeoFeatureGroupExtension"):
             self._numbers.clear()
@@ -94,10 +111,6 @@ class PanelClouds(QtCore.QObject):
     def deleted(self, name: str) -> bool:
         """Take note of an object that is gone; True when it was one of the clouds."""
         return self._numbers.pop(name, None) is not None
-
-    def pick(self, position: tuple[int, int]) -> Picked | None:
-        """What is clicked on at a pixel from the lower left corner; None: no cloud."""
-        return clicked_cloud(self._view, position, self.shown())
 
     def close(self) -> None:
         """Give everything back."""

@@ -16,6 +16,7 @@ from freecad_edgescan.scanning import (
 
 from .parameter_rows import NARROW, ChoiceRow, LengthRow, Row, small_label
 from .qt import QtCore, QtWidgets
+from .single_shot import single_shot
 from .translation import translate
 
 __all__ = ["ParameterForm"]
@@ -181,10 +182,7 @@ class ParameterForm(QtWidgets.QWidget):
         column.addLayout(top)
         column.addLayout(grid)
         column.addStretch()
-        self._moment = QtCore.QTimer(self)
-        self._moment.setSingleShot(True)
-        self._moment.setInterval(_SETTLED)
-        self._moment.timeout.connect(self.changed)
+        self._moment = single_shot(self, _SETTLED, self.changed)
         self._method.currentIndexChanged.connect(self._show_method)
         self._reset.clicked.connect(self.reset)
         self._show_rows()

@@ -13,11 +13,17 @@ from .qt import QtCore
 
 __all__ = ["LengthBox", "angle_text", "length_scale", "length_text"]
 
+_SMALL = 0.1  # of a unit
+
 
 def length_text(millimetres: float) -> str:
     """A length as the user writes it; a dash where there is none."""
     if not math.isfinite(millimetres):
         return "–"
+    factor, unit = length_scale(millimetres)
+    size = abs(millimetres) / factor
+    if 0.0 < size < _SMALL:  # with FreeCAD's two decimals it would be next to nothing
+        return f"{QtCore.QLocale().toString(millimetres / factor, 'g', 3)} {unit}"
     return str(FreeCAD.Units.Quantity(millimetres, FreeCAD.Units.Length).UserString)
 
 

@@ -13,8 +13,8 @@ from freecad_edgescan.scanning import recommend_parameters
 
 from .click_panel import ClickPanel
 from .html_table import html_table
-from .length_field import length_text
 from .picking import Array
+from .quantities import length_text
 from .recorded_step import as_literal, object_line, run_as_one_step
 from .shown import select_only
 from .translation import translate
@@ -75,7 +75,7 @@ class RecommendPanel(ClickPanel):
             f"document.make_scanned_edge(doc, {object_line(self.cloud)}, "
             f"at={as_literal(self.places[0])}, method='probe')"
         )
-        select_only(run_as_one_step(self.doc, translate("Scan edge"), [line]))
+        select_only(run_as_one_step(self._doc, translate("Scan edge"), [line]))
 
 
 def _text(value: Any) -> str:

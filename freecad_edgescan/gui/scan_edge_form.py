@@ -61,6 +61,12 @@ class ScanEdgeForm(QtWidgets.QWidget):
         self.stop.setToolTip(translate("End the scan and keep the edge as far as it is known"))
         self._so_far = QtWidgets.QLabel()
         self._figures = QtWidgets.QLabel()
+        self._figures.setToolTip(
+            translate(
+                "Sigma is the standard deviation of an edge point across the edge: about two of "
+                "three lie within it. A good edge's is well below the distance of the points."
+            )
+        )
         self._message = QtWidgets.QLabel()
         for label in (self._figures, self._message):
             label.setWordWrap(True)
@@ -143,7 +149,7 @@ class ScanEdgeForm(QtWidgets.QWidget):
             self._figures.setText("")
             return
         self._figures.setText(_figures(edge))
-        self._message.setText(edge.message)
+        self._message.setText(_message(edge))
 
 
 def _scrolling(widget: Any) -> Any:
@@ -154,6 +160,11 @@ def _scrolling(widget: Any) -> Any:
     area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
     area.setWidget(widget)
     return area
+
+
+def _message(edge: ScannedEdge) -> str:
+    """What happened, with the edge's length in the user's unit; the scan itself speaks of mm."""
+    return edge.message.replace(f" {edge.length:.4g} mm", f" {length_text(edge.length)}", 1)
 
 
 def _figures(edge: ScannedEdge) -> str:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["ViewClicks", "is_open"]
+__all__ = ["Pixel", "ViewClicks", "is_open"]
 
 _STILL = 5  # pixels the mouse may move between press and release of a click
 _LISTENS = ("SoMouseButtonEvent", "SoLocation2Event", "SoKeyboardEvent")
@@ -48,7 +48,7 @@ class ViewClicks:
         view: Any,
         clicked: Callable[[Pixel], None],
         escaped: Callable[[], None],
-        moved: Callable[[Pixel], None] = _nothing,
+        moved: Callable[[Pixel], None],
     ) -> None:
         self._view: Any = view
         self._clicked = clicked

@@ -9,7 +9,7 @@ from .colours import sigma_colours, sigma_range
 from .picking import Array
 from .qt import QtCore, QtGui, QtWidgets
 from .quantities import length_text
-from .translation import translate
+from .translation import count_text, translate
 
 __all__ = ["ViewForm"]
 
@@ -100,7 +100,7 @@ class ViewForm(QtWidgets.QWidget):
         text = translate("All {whole} points are shown.")
         if shown < whole:
             text = translate("{shown} of {whole} points are shown; all of them are computed with.")
-        self._cloud.setText(text.format(shown=f"{shown:,}", whole=f"{whole:,}"))
+        self._cloud.setText(text.format(shown=count_text(shown), whole=count_text(whole)))
 
 
 class _ColourBar(QtWidgets.QWidget):

@@ -14,11 +14,13 @@ import FreeCADGui
 
 from .background import Background
 from .closing import ClosingWatch
+from .document_watch import DocumentWatch
 from .qt import QtCore, QtWidgets, as_int
+from .single_shot import single_shot
 from .translation import translate
 from .view_clicks import is_open
 
-__all__ = ["ViewPanel", "single_shot"]
+__all__ = ["ViewPanel"]
 
 
 class ViewPanel(QtCore.QObject):
@@ -26,6 +28,7 @@ class ViewPanel(QtCore.QObject):
 
     Parameters
     ----------
+    doc : App.Document
     view : the 3D view in front, which is clicked in
     form : the widget FreeCAD shows
 
@@ -35,8 +38,9 @@ class ViewPanel(QtCore.QObject):
     buttons : FreeCAD's OK and Cancel, while the panel is open
     """
 
-    def __init__(self, view: Any, form: Any) -> None:
+    def __init__(self, doc: Any, view: Any, form: Any) -> None:
         super().__init__()
+        self._doc = doc
         self._view = view
         self._open = True
         self.buttons: Any = None
@@ -48,12 +52,21 @@ class ViewPanel(QtCore.QObject):
         self._shown_timer = single_shot(self, 0, self._watch_dock)
         self._closing = ClosingWatch(self._close_if_left)
         self._closing.watch_active_view()
+        self._document_watch = DocumentWatch(doc)
+        self._document_watch.closed.connect(self.vanish)
 
     # What each panel does.
 
     def can_accept(self) -> bool:
         """Whether there is something OK can keep."""
         raise NotImplementedError
+
+    def question(self) -> str:
+        """What the user is to click on now."""
+        raise NotImplementedError
+
+    def show_share(self, share: float) -> None:
+        """A calculation has done this share of its work, 0 … 1; nan where nobody knows."""
 
     def show_report(self, digest: Any) -> None:
         """A calculation has got farther."""
@@ -78,6 +91,7 @@ class ViewPanel(QtCore.QObject):
         self._escape_timer.stop()
         self._shown_timer.stop()
         self._closing.end()
+        self._document_watch.end()
         self.end_work()
 
     # What FreeCAD calls.
@@ -125,11 +139,13 @@ class ViewPanel(QtCore.QObject):
             self._work.abandon()
             self._work = None
 
-    def for_clicks(self, question: str) -> str:
-        """What asks for clicks, with what the navigation style wants for them."""
-        if self._view.getNavigationType() == "Gui::InventorNavigationStyle":
-            return translate("Hold Ctrl for clicks.") + " " + question
-        return question
+    def ask(self) -> None:
+        """Tell the user what to do now."""
+        self._form.say(self._asked())
+
+    def say_and_ask(self, sentence: str) -> None:
+        """Say what has happened, and what to do now."""
+        self._form.say(f"{sentence} {self._asked()}")
 
     def leave_soon(self) -> None:
         """Cancel, when the view has handled the event that is answered now."""
@@ -141,9 +157,16 @@ class ViewPanel(QtCore.QObject):
             self.let_go(restore=False)
             QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
 
+    def _asked(self) -> str:
+        """What asks for clicks, with what the navigation style wants for them."""
+        if self._view.getNavigationType() == "Gui::InventorNavigationStyle":
+            return translate("Hold Ctrl for clicks.") + " " + self.question()
+        return self.question()
+
     def _advance(self) -> None:
         report = self._work.take() if self._is_current() and self._work is not None else None
         if report is not None:
+            self.show_share(report[0])
             self.show_report(report[1])
 
     def _succeed(self, result: Any) -> None:
@@ -173,12 +196,3 @@ class ViewPanel(QtCore.QObject):
         """The panel's dock or its 3D view was told to close; the view may have refused."""
         if self._open and (not is_open(self._view) or not self._form.isVisible()):
             self._cancel()
-
-
-def single_shot(parent: Any, milliseconds: int, answer: Any) -> Any:
-    """A timer that, once started, calls back once."""
-    timer = QtCore.QTimer(parent)
-    timer.setSingleShot(True)
-    timer.setInterval(milliseconds)
-    timer.timeout.connect(answer)
-    return timer

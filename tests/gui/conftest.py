@@ -80,7 +80,7 @@ class Window:
         """Start the command Scan edge, and wait until a click is answered at once."""
         Gui.runCommand("EdgeScan_ScanEdge")
         self.settle()
-        self.wait_until(lambda: self.panel._clouds.ready)
+        self.wait_until(lambda: self.panel._clicks.ready)
 
     def found(self) -> None:
         """Wait for the edge."""

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import gc
+import threading
 from typing import Any
 
 import numpy as np
@@ -21,8 +22,10 @@ ON_THE_RIDGE = (0.0, 2.0, 5.0)
 
 
 def opened(window: Any, name: str) -> Any:
+    """The panel of a command, when a click is answered at once."""
     Gui.runCommand(name)
     window.settle()
+    window.wait_until(lambda: window.panel._clicks.ready)
     return window.panel
 
 
@@ -58,6 +61,7 @@ def test_two_clicks_give_the_boundary_of_a_face_in_one_undo_step(
     block.settle()
     (boundary,) = Gui.Selection.getSelection()
     assert boundary.EdgeCount == 4
+    assert boundary.ViewObject.DisplayMode == "Flat Lines"
     assert boundary.Length.Value == pytest.approx(72, abs=0.1)
     assert block.doc.UndoCount == steps + 1
     brep, name = boundary.Shape.exportBrepToString(), boundary.Name
@@ -126,9 +130,36 @@ def test_a_cloud_that_is_shown_later_can_be_clicked(window: Any) -> None:
     shown = opened(window, "EdgeScan_ScanBoundary")
     window.cloud.ViewObject.Visibility = True
     window.settle()
+    window.wait_until(lambda: shown._clicks.ready)
     window.click(ON_THE_RIDGE)
     assert shown.cloud is window.cloud
     assert shown.cloud is not second
+
+
+def test_a_click_before_the_index_is_ready_is_answered_later(
+    window: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from freecad_edgescan.gui import panel_clouds
+
+    may_end = threading.Event()
+    monkeypatch.setattr(panel_clouds, "_warm_up", lambda: may_end.wait(60))
+    Gui.runCommand("EdgeScan_ScanBoundary")
+    window.click(ON_THE_RIDGE)
+    assert "your click will be answered" in window.sentence
+    assert not window.panel.places
+    may_end.set()
+    window.wait_until(lambda: bool(window.panel.places))
+    assert "2 of 2" in window.sentence
+
+
+def test_a_cloud_that_is_moved_is_to_be_clicked_again(window: Any) -> None:
+    shown = opened(window, "EdgeScan_ScanBoundary")
+    window.click(ON_THE_RIDGE)
+    window.cloud.Placement = FreeCAD.Placement(FreeCAD.Vector(0, 0, 7), FreeCAD.Rotation())
+    window.settle()
+    assert "has changed" in shown.form.sentence
+    assert "1 of 2" in shown.form.sentence
+    assert not shown.places
 
 
 def test_a_place_without_an_edge_is_said_and_asked_for_again(window: Any) -> None:

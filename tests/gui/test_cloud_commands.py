@@ -197,6 +197,23 @@ def test_the_dialog_offers_to_move_a_far_cloud_and_doubts_a_tiny_one(
     far.deleteLater()
 
 
+def test_the_import_dialog_says_what_is_wrong_with_a_cloud(workbench: Any) -> None:
+    from freecad_edgescan.cloud import PointCloud
+    from freecad_edgescan.gui.import_dialog import ImportDialog
+
+    points = np.random.default_rng(1).random((50, 3))
+    points[3] = np.nan
+    with pytest.warns(UserWarning, match="left out"):
+        gappy = ImportDialog({Path("gappy.xyz"): PointCloud(points)})
+    few = ImportDialog({Path("few.xyz"): PointCloud(points[:3])})
+    assert gappy.sentence.text() == (
+        "gappy.xyz: 49 points. Rows with nan or inf that are left out: 1."
+    )
+    assert "needs at least 20" in few.sentence.text()
+    gappy.deleteLater()
+    few.deleteLater()
+
+
 def test_a_file_is_read_once(
     window: Any, tmp_path: Path, choose: Any, answer: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -216,7 +233,8 @@ def test_a_file_is_read_once(
 
 
 def test_lengths_are_asked_for_and_shown_in_the_users_units(workbench: Any) -> None:
-    from freecad_edgescan.gui.length_field import length_field, length_in, length_text
+    from freecad_edgescan.gui.length_field import length_field, length_in
+    from freecad_edgescan.gui.quantities import length_text
 
     usual = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
     try:
@@ -225,6 +243,7 @@ def test_lengths_are_asked_for_and_shown_in_the_users_units(workbench: Any) -> N
         assert field.text().startswith("1.00")
         assert not field.text().endswith("mm")
         assert length_text(50.8).startswith("2.00")
+        assert length_text(0.00587).startswith("0.000231")
         assert length_in(field) == pytest.approx(25.4)
     finally:
         FreeCAD.Units.setSchema(usual)

@@ -149,11 +149,11 @@ def test_a_cloud_hidden_or_shown_meanwhile_is_followed(window: Any) -> None:
     clouds = window.panel._display.clouds
     whole = clouds.count
     window.cloud.ViewObject.Visibility = False
-    window.wait_until(lambda: clouds.count == 0 and window.panel._clouds.ready)
+    window.wait_until(lambda: clouds.count == 0 and window.panel._clicks.ready)
     window.click(ON_THE_RIDGE)
     assert "No point cloud can be seen" in window.sentence
     window.cloud.ViewObject.Visibility = True
-    window.wait_until(lambda: clouds.count == whole and window.panel._clouds.ready)
+    window.wait_until(lambda: clouds.count == whole and window.panel._clicks.ready)
     window.click(ON_THE_RIDGE)
     window.found()
     window.cloud.ViewObject.Visibility = False
@@ -193,3 +193,18 @@ def _vector(point: Any) -> Any:
     from pivy import coin
 
     return coin.SbVec3f(*point.tolist())
+
+
+def test_the_panel_speaks_in_the_users_unit(window: Any) -> None:
+    usual = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").GetInt("UserSchema", 0)
+    try:
+        FreeCAD.Units.setSchema(3)  # inches
+        window.open_panel()
+        window.click(ON_THE_RIDGE)
+        window.found()
+        form = window.panel.form
+        length = window.panel._found.edge.length / 25.4
+        assert f", {length:.2f} in;" in form._message.text()
+        assert "0.00 in" not in form.figures
+    finally:
+        FreeCAD.Units.setSchema(usual)

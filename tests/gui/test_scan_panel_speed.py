@@ -17,12 +17,14 @@ FreeCAD = pytest.importorskip("FreeCAD")
 Gui = pytest.importorskip("FreeCADGui")
 
 from freecad_edgescan import document  # noqa: E402
+from freecad_edgescan.gui import cloud_clicks  # noqa: E402
 from freecad_edgescan.gui.live_edge import LiveEdge  # noqa: E402
 from freecad_edgescan.gui.qt import QtCore  # noqa: E402
 
 from .conftest import Window, roof  # noqa: E402
 
 UPDATES = 60
+MOST_CLICKS = 40
 TICK = 5  # ms
 
 
@@ -58,24 +60,98 @@ def redraw(window: Any, times: int = 5) -> float:
 
 
 class Gaps:
-    """Notes how long the window was blocked, by a timer that should tick all the time."""
+    """Notes for how long the window is blocked, by a timer that should tick all the time.
+
+    Attributes
+    ----------
+    blocked : seconds, each time that was longer than a few ticks
+    """
 
     def __init__(self) -> None:
-        self.gaps: list[float] = []
-        self._last = time.perf_counter()
+        self.blocked: list[float] = []
+        self._last = 0.0
         self._timer = QtCore.QTimer()
         self._timer.setInterval(TICK)
         self._timer.timeout.connect(self._tick)
-        self._timer.start()
+
+    def begin(self) -> None:
+        """Count from now on, unless that has begun."""
+        if not self._timer.isActive():
+            self._last = time.perf_counter()
+            self._timer.start()
+
+    def end(self) -> None:
+        """Count no longer."""
+        if self._timer.isActive():
+            self._tick()
+            self._timer.stop()
 
     def _tick(self) -> None:
         now = time.perf_counter()
-        self.gaps.append(now - self._last)
+        if now - self._last > 4e-3 * TICK:
+            self.blocked.append(now - self._last)
         self._last = now
 
-    def stop(self) -> float:
-        self._timer.stop()
-        return max(self.gaps, default=0.0)
+
+class Scans:
+    """Scans the edge, and notes how long a person waits.
+
+    Parameters
+    ----------
+    window : with the scan panel open
+    preview : False: the view is drawn anew whenever a preview comes, but shows none
+
+    Attributes
+    ----------
+    waits : seconds from each click to the first preview points
+    computed : seconds that the scan itself had computed then, since each click
+    updates : seconds of computing in the main thread, for each preview
+    gaps : how long the window answered nothing while previews came
+    """
+
+    def __init__(self, window: Any, preview: bool) -> None:
+        self.waits: list[float] = []
+        self.computed: list[float] = []
+        self.updates: list[float] = []
+        self.gaps = Gaps()
+        self._window = window
+        self._show = window.panel.show_report if preview else lambda _: window.viewport.update()
+        self._finish = window.panel.show_result
+
+    def scan(self, place: tuple[float, float, float], monkeypatch: pytest.MonkeyPatch) -> None:
+        """Click there, and wait for the edge."""
+        clicked, digest = cloud_clicks.clicked_cloud, LiveEdge.of_walk
+        clicks: list[float] = []
+        computed: list[float] = []
+
+        def click(*given: Any) -> Any:
+            clicks.append(time.perf_counter())
+            return clicked(*given)
+
+        def digested(so_far: Any) -> LiveEdge:
+            computed.append(time.thread_time())  # of the scan's own thread, which began at 0
+            return digest(so_far)
+
+        def report(edge: LiveEdge) -> None:
+            self.gaps.begin()
+            if clicks:
+                self.waits.append(time.perf_counter() - clicks.pop())
+                self.computed.append(computed[0])
+            busy = time.thread_time()
+            self._show(edge)
+            self.updates.append(time.thread_time() - busy)
+
+        def result(found: Any) -> None:
+            self.gaps.end()
+            self._finish(found)
+
+        with monkeypatch.context() as patch:
+            patch.setattr(cloud_clicks, "clicked_cloud", click)
+            patch.setattr(LiveEdge, "of_walk", digested)
+            patch.setattr(self._window.panel, "show_report", report)
+            patch.setattr(self._window.panel, "show_result", result)
+            self._window.click(place)
+            self._window.wait_until(lambda: "followed" not in self._window.sentence)
 
 
 @pytest.mark.slow
@@ -88,41 +164,15 @@ def test_waiting_times_on_a_million_points(
     began = time.perf_counter()
     Gui.runCommand("EdgeScan_ScanEdge")
     opened = time.perf_counter() - began
-    window.wait_until(lambda: window.panel._clouds.ready)
+    window.wait_until(lambda: window.panel._clicks.ready)
     indexed = time.perf_counter() - began
     thinned = redraw(window)
-
-    panel = window.panel
-    first: list[float] = []
-    updates: list[float] = []
-    computed: list[float] = []
-    show, digest = panel._display.preview.show_edge, LiveEdge.of_walk
-
-    def timed(edge: Any) -> None:
-        start, busy = time.perf_counter(), time.thread_time()
-        show(edge)
-        if len(edge.points):
-            first.append(start)
-            updates.append(time.thread_time() - busy)
-
-    def noted(so_far: Any) -> Any:
-        computed.append(time.thread_time())  # by the scan's own thread, which began at 0
-        return digest(so_far)
-
-    panel._display.preview.show_edge = timed
-    monkeypatch.setattr(LiveEdge, "of_walk", noted)
-    blocked, waits, shares = 0.0, [], []
-    while len(updates) < UPDATES and len(waits) < 40:
-        first.clear()
-        computed.clear()
-        gaps = Gaps()
-        x, y = window.pixel_of((0.02, 12.0 - 0.5 * len(waits), 5.0))
-        pressed = time.perf_counter()
-        window.click_pixel(x, y)
-        window.wait_until(lambda: "followed" not in window.sentence)
-        blocked = max(blocked, gaps.stop())
-        waits.append(first[0] - pressed)
-        shares.append(computed[0])
+    scans, same = Scans(window, preview=True), Scans(window, preview=False)
+    for number in range(MOST_CLICKS):
+        for one in (same, scans):  # in turn: what else the machine does meets both
+            one.scan((0.02, 12.0 - 0.5 * number, 5.0), monkeypatch)
+        if len(scans.updates) >= UPDATES:
+            break
     with capsys.disabled():
         print(
             f"\nScan panel on {count} points; {os.getloadavg()[0]:.1f} programs shared"
@@ -130,12 +180,19 @@ def test_waiting_times_on_a_million_points(
             f"\n  the panel opens in {opened:.2f} s, the index is ready after {indexed:.2f} s"
             f"\n  one redraw takes {1e3 * whole:.0f} ms of the whole cloud, {1e3 * thinned:.0f} ms"
             " with the panel open"
-            f"\n  from the click to the first preview points: {waits[0]:.2f} s, at most"
-            f" {max(waits):.2f} s of {len(waits)} clicks (goal: 0.3 s);"
-            f"\n  the scan itself had computed for {shares[0]:.2f} s, at most {max(shares):.2f} s"
-            f"\n  {len(updates)} preview updates, each at most {1e3 * max(updates):.0f} ms of"
-            " computing in the main thread"
-            f"\n  the window was never blocked for more than {1e3 * blocked:.0f} ms"
-            f" (goal: one redraw and 20 ms, {1e3 * thinned + 20:.0f} ms)"
+            f"\n  from the click to the first preview points: {np.median(scans.waits):.2f} s, at"
+            f" most {max(scans.waits):.2f} s of {len(scans.waits)} clicks (goal: 0.3 s);"
+            f"\n    the scan itself had computed for {np.median(scans.computed):.2f} s, at most"
+            f" {max(scans.computed):.2f} s"
+            f"\n  {len(scans.updates)} preview updates, each at most"
+            f" {1e3 * max(scans.updates):.0f} ms of computing in the main thread"
+            f"\n  the window was blocked for {_blocked(scans)} at a time; by redraws of the same"
+            f"\n    view without preview, during the same scans, for {_blocked(same)}"
+            " (goal: 20 ms more)"
         )
-    assert len(updates) >= UPDATES
+    assert len(scans.updates) >= UPDATES
+
+
+def _blocked(scans: Scans) -> str:
+    times = 1e3 * np.array(scans.gaps.blocked)
+    return f"{np.median(times):.0f} ms, at most {times.max():.0f} ms,"

@@ -62,7 +62,7 @@ def callbacks(monkeypatch: pytest.MonkeyPatch) -> list[str]:
                     present.remove(kind)
             super().close()
 
-    monkeypatch.setattr("freecad_edgescan.gui.scan_edge_panel.ViewClicks", Counting)
+    monkeypatch.setattr("freecad_edgescan.gui.cloud_clicks.ViewClicks", Counting)
     return present
 
 
@@ -210,7 +210,7 @@ def test_a_cloud_may_be_deleted_at_any_moment_and_its_deletion_undone(
     assert not window.button("Ok").isEnabled()
     window.doc.undo()
     window.wait_until(lambda: window.panel._display.clouds.count > 0)
-    window.wait_until(lambda: window.panel._clouds.ready)
+    window.wait_until(lambda: window.panel._clicks.ready)
     window.click(ON_THE_RIDGE)
     window.found()
     window.ok()
@@ -225,7 +225,7 @@ def test_a_cloud_that_is_moved_under_the_panel_is_to_be_clicked_again(window: An
     assert not window.button("Ok").isEnabled()
     window.view.fitAll()
     window.settle()
-    window.wait_until(lambda: window.panel._clouds.ready)
+    window.wait_until(lambda: window.panel._clicks.ready)
     window.click((0.3, 2.0, 12.0))
     window.found()
     window.ok()

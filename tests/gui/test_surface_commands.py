@@ -83,7 +83,11 @@ def test_from_rails_to_a_deviation_map(pipe: dict[str, Any]) -> None:
     assert shell.Closed and shell.FaceCount == 4
     shown = run(doc, "EdgeScan_DeviationMap", cloud, fitted)
     assert shown.ViewObject.DisplayMode == "Color"
+    assert Gui.Selection.getSelection() == [shown]
+    assert not cloud.ViewObject.Visibility  # it would cover the map
+    assert not fitted.ViewObject.Visibility
     doc.undo()
+    assert cloud.ViewObject.Visibility and fitted.ViewObject.Visibility
     assert doc.getObject(curve.Name) is not None
 
 

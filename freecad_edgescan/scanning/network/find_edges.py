@@ -31,10 +31,10 @@ from .joining import bridged
 from .tracing import Tracer
 from .tracks import Track, split_at_corners, track_of
 
-__all__ = ["find_edges"]
+__all__ = ["SHORTEST", "find_edges"]
 
 _FEWEST = 2  # sections of a track
-_SHORTEST = 8.0  # pitches, of an edge
+SHORTEST = 8.0  # pitches, of an edge, where no length is given
 _LOOKING, _TRACKING = 0.35, 0.4  # share of the work that is done then
 _REACH, _EDGE_PITCH, _LEAST_NOISE = 22.0, 2.0, 0.03  # pitches, as of a scan from a click
 _STRAY = 0.5  # pitches of scatter along the normal, that no surface has
@@ -71,7 +71,7 @@ def find_edges(
     if region is not None:
         cloud = _cut_out(cloud, region)
     require_surface(cloud)
-    shortest = _SHORTEST * cloud.pitch if min_length is None else float(min_length)
+    shortest = SHORTEST * cloud.pitch if min_length is None else float(min_length)
     told = _Told(progress)
     chosen = _chosen(cloud, min_angle)
     if _scattered(cloud):
