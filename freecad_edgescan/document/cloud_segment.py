@@ -23,6 +23,7 @@ from .given_numbers import positive_length
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .native_curve import vector
 from .points_near_base import points_near_base
+from .scan_inputs import checked_point
 
 __all__ = ["CloudSegmentProxy", "make_cloud_segment", "region_task"]
 
@@ -71,9 +72,7 @@ def make_cloud_segment(
     require_cloud(cloud)
     require_shape("base surface", [base])
     distance = positive_length("distance", distance)
-    place = None if inside is None else np.asarray(inside, dtype=np.float64)
-    if place is not None and (place.shape != (3,) or not np.isfinite(place).all()):
-        raise ValueError(f"The place inside is {inside!r}; give three finite coordinates, mm.")
+    place = None if inside is None else checked_point("place inside", inside)
     if (place is not None) is not _is_network(base):
         raise ValueError(
             "A place inside goes with a network of edges, and a network with a place inside: give "
