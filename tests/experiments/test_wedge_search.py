@@ -38,9 +38,14 @@ def test_sigmas_of_sharp_edges_are_true_however_the_cloud_is_spoilt(sharp) -> No
     assert np.percentile(found, 95) < 3.2
 
 
-@pytest.mark.xfail(strict=True, reason="known: wide roundings of sharp wedges beside short sides")
 def test_no_rounded_edge_is_found_somewhere_else() -> None:
     assert not any(judged.elsewhere for judged in search(30, first=200, jobs=1))
+
+
+@pytest.mark.xfail(strict=True, reason="known: a rounding half as wide as the sides beside it")
+def test_no_wedge_is_wrong_in_most_of_its_scans() -> None:
+    again = [judge((415, True, sample)) for sample in range(1, 6)]
+    assert sum(judged.wrong for judged in again) <= 2
 
 
 def test_a_wedge_is_what_it_says() -> None:
