@@ -25,7 +25,7 @@ import scipy
 from ...cloud.point_cloud import PointCloud
 from ..worker_process import Failure, WorkerProcess
 
-__all__ = ["CloudWorkers", "jobs_for"]
+__all__ = ["CloudWorkers", "cores", "jobs_for"]
 
 Task = TypeVar("Task")
 Result = TypeVar("Result")
@@ -39,13 +39,16 @@ _VERSIONS = (sys.version, np.__version__, scipy.__version__)
 
 def jobs_for(cloud: PointCloud) -> int:
     """Number of processes that a cloud is worth on this machine."""
-    if len(cloud) < _WORTH_IT:
-        return 1
+    return 1 if len(cloud) < _WORTH_IT else cores()
+
+
+def cores() -> int:
+    """Number of processors to use."""
     try:
-        cores = len(os.sched_getaffinity(0))
+        mine = len(os.sched_getaffinity(0))
     except AttributeError:  # only Linux tells
-        cores = os.cpu_count() or 1
-    return min(cores, _MOST)
+        mine = os.cpu_count() or 1
+    return min(mine, _MOST)
 
 
 class CloudWorkers:

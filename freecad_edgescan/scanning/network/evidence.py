@@ -7,7 +7,6 @@ What a smaller scale has found for certain is not looked for at a larger one.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -56,8 +55,12 @@ def sections_on_edges(
         proposed = propose_sections(workers.cloud, scale, settings.min_angle)
         if found:
             proposed = proposed[~_claimed(proposed, MeasuredSections.join(found), pitch)]
-        own = replace(settings, reach=reach * pitch)
-        measured = _seen_farther(workers, measure_sections(workers, proposed, own), settings)
+        measured = measure_sections(workers, proposed, settings.with_reach(reach * pitch))
+        measured = measured[measured.found]
+        if found:  # what stands where an edge is known only now is nothing new either
+            known = MeasuredSections.join(found)
+            measured = measured[~_claimed(measured.frames, known, pitch)]
+        measured = _seen_farther(workers, measured, settings)
         found.append(measured[_sound(measured, settings)])
     if not found:
         nothing = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2, 3))

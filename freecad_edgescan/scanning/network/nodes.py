@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from ...cloud.point_cloud import PointCloud
+from .pieces import in_pieces
 
-__all__ = ["Nodes", "spread_nodes"]
-
-_AT_ONCE = 50_000  # nodes whose neighbourhoods are held at a time
+__all__ = ["Nodes", "one_of_each_cube", "spread_nodes"]
 
 
 @dataclass(frozen=True)
@@ -41,18 +41,15 @@ def spread_nodes(cloud: PointCloud, spacing: float, neighbours: int) -> Nodes:
     spacing : side of the cubes, mm
     neighbours : number of points of a neighbourhood
     """
-    rows = _one_of_each_cube(cloud.points, spacing)
+    rows = one_of_each_cube(cloud.points, spacing)
     count = min(neighbours, len(cloud))
-    pieces = [
-        _planes(cloud, part, count)
-        for part in np.array_split(rows, max(1, -(-len(rows) // _AT_ONCE)))
-    ]
+    pieces = in_pieces(partial(_planes, cloud, count), rows)
     places, normals = (np.concatenate(values) for values in zip(*pieces, strict=True))
     return Nodes(rows, places, normals)
 
 
-def _planes(cloud: PointCloud, rows: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    near = cloud.tree.query(cloud.points[rows], k=count, workers=-1)[1]
+def _planes(cloud: PointCloud, count: int, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    near = cloud.tree.query(cloud.points[rows], k=count)[1]
     offsets = cloud.points[near]
     centre = offsets.mean(axis=1)
     offsets -= centre[:, None]
@@ -60,7 +57,7 @@ def _planes(cloud: PointCloud, rows: np.ndarray, count: int) -> tuple[np.ndarray
     return centre, normals
 
 
-def _one_of_each_cube(points: np.ndarray, side: float) -> np.ndarray:
+def one_of_each_cube(points: np.ndarray, side: float) -> np.ndarray:
     """Rows of one point in each cube that holds any, the one nearest to its middle."""
     place = (points - points.min(axis=0)) / side
     cell = np.floor(place)
