@@ -8,6 +8,7 @@ import numpy as np
 from ..measured_sections import MeasuredSections
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
+from ..stop import Stop
 from .cloud_workers import CloudWorkers
 from .measuring import measure_sections
 from .tracks import Track, join_tracks
@@ -17,7 +18,7 @@ __all__ = ["confirmed"]
 _SHORT = 7  # sections, below which a track is looked at again
 _STEP = 1.5  # pitches between its new sections
 _BEYOND = 2  # new sections before and behind it
-_REACH = 13.0  # pitches
+_REACH = 13.0  # pitches, at least
 _AGREE = 0.7  # of the new sections between the old ones, that find the edge, too
 _NEAR = 0.8  # pitches, from where it was
 _LARGEST_SIGMA, _LEAST_COVER = 0.45, 0.55
@@ -32,7 +33,14 @@ def confirmed(workers: CloudWorkers, tracks: list[Track], settings: PatchSetting
     pitch = settings.cloud_pitch
     laid = [_laid(track, _STEP * pitch) for track in short]
     frames = Frames.join([part for part, _ in laid])
-    measured = measure_sections(workers, frames, settings.with_reach(_REACH * pitch), times=2)
+    # What stands under a rounding was seen by looking beyond it, and is only seen so.
+    far = [float(np.median(track.sections.reach)) > _REACH * pitch for track in short]
+    farther = np.repeat(far, [len(part) for part, _ in laid])
+    measured = MeasuredSections.unmeasured(frames, Stop.LOST, settings.reach)
+    for which, reach in ((~farther, _REACH * pitch), (farther, settings.reach)):
+        rows = np.flatnonzero(which)
+        seen = measure_sections(workers, frames[rows], settings.with_reach(reach), times=2)
+        measured = measured.replaced(rows, seen)
     off = np.linalg.norm(measured.frames.origin - frames.origin, axis=1)
     with np.errstate(invalid="ignore"):
         good = measured.found & (off < _NEAR * pitch) & (measured.cover > _LEAST_COVER)

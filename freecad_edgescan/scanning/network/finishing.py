@@ -20,9 +20,12 @@ from ..scanned_edge import ScannedEdge
 from ..stop import Stop
 from ..trace import Trace
 
-__all__ = ["finished", "part_of_trace"]
+__all__ = ["finished", "part_of_trace", "parted_at_bend"]
 
 _SURE = 0.4  # pitches, of the median sigma of an edge that is believed without a click
+_ROUNDING = 0.15  # of what a rounding takes away, that makes an edge so much less sure
+_BENT = 0.6  # rad, between the chords before and behind a place, that two edges may meet at
+_BESIDE = 6.0  # pitches, of such a chord
 _STANDS_OUT, _LEAST_NOISE = 11.0, 0.1  # times the noise, and pitches that it counts for at least
 
 
@@ -56,7 +59,8 @@ def _sure(edge: ScannedEdge, settings: PatchSettings) -> bool:
         noise = max(settings.noise, _LEAST_NOISE * settings.cloud_pitch)
         if turn * length < _STANDS_OUT * noise:
             return False
-    return float(np.median(edge.sigma)) <= _SURE * settings.cloud_pitch
+    known = _SURE * settings.cloud_pitch + _ROUNDING * float(np.median(edge.overhang))
+    return float(np.median(edge.sigma)) <= known
 
 
 def part_of_trace(trace: Trace, edge: ScannedEdge, stretch: np.ndarray) -> Trace:
@@ -76,3 +80,33 @@ def part_of_trace(trace: Trace, edge: ScannedEdge, stretch: np.ndarray) -> Trace
         for stop, reaches in zip(trace.stops, whole, strict=True)
     )
     return Trace(stations, (start, end))
+
+
+def parted_at_bend(trace: Trace, pitch: float) -> list[Trace]:
+    """A trace that is no edge in two parts, where it bends most; none where it hardly bends.
+
+    Under a rounding a walk may have gone round a corner, from one edge to the next.
+
+    Parameters
+    ----------
+    pitch : of the cloud, mm
+    """
+    if trace.closed or len(trace.stations) < 2 * FEWEST_POINTS:
+        return []
+    places = np.array([station.frame.origin[0] for station in trace.stations])
+    at = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(places, axis=0), axis=1)))
+    wide = _BESIDE * pitch
+    before, after = (
+        np.stack([np.interp(at + shift, at, places[:, k]) for k in range(3)], axis=1)
+        for shift in (-wide, wide)
+    )
+    chords = [places - before, after - places]
+    one, other = (x / np.maximum(np.linalg.norm(x, axis=1, keepdims=True), 1e-12) for x in chords)
+    inner = (at > wide) & (at < at[-1] - wide)
+    turn = np.where(inner, np.arccos(np.clip(np.einsum("ki,ki->k", one, other), -1.0, 1.0)), 0.0)
+    worst = int(turn.argmax())
+    if turn[worst] < _BENT:
+        return []
+    left = trace.stations[: int(np.searchsorted(at, at[worst] - 0.5 * wide))]
+    right = trace.stations[int(np.searchsorted(at, at[worst] + 0.5 * wide)) :]
+    return [Trace(left, (trace.stops[0], Stop.CORNER)), Trace(right, (Stop.CORNER, trace.stops[1]))]

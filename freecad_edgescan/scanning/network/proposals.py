@@ -32,17 +32,18 @@ class Scale:
     spacing : of the nodes
     neighbours : points of a node's neighbourhood
     radius : of a place
+    apart : two places, roughly
     """
 
     spacing: float
     neighbours: int
     radius: float
+    apart: float
 
 
-SCALES = (Scale(1.6, 14, 4.5), Scale(2.6, 24, 8.0), Scale(4.5, 48, 14.0))
+SCALES = (Scale(1.6, 14, 4.5, 2.4), Scale(2.6, 24, 8.0, 2.6), Scale(4.5, 48, 14.0, 4.5))
 ALONG = 3.5  # pitches: one proposal for a place and direction
 _NEIGHBOURS = 30  # nodes of a place, at most
-_LOOKED_ROUND = 1.5  # node spacings: one node of each cube of that side is looked round
 _FEWEST = 2  # of a group
 _BY_CHANCE = 8.0  # standard deviations of a normal by which those nearby may seem to turn
 _PURE = 0.3  # of the way between two groups, within which a node belongs to one of them
@@ -65,9 +66,7 @@ def propose_sections(cloud: PointCloud, scale: Scale, min_angle: float) -> Frame
     chance = 2.0 * cloud.noise / pitch * np.sqrt(np.pi) / scale.neighbours
     least = max(0.5 * min_angle, _BY_CHANCE * chance)
     even = _UNEVEN * cloud.noise / np.sqrt(scale.neighbours) + _FLAT * pitch
-    frames, clear = _proposed(
-        nodes, _LOOKED_ROUND * scale.spacing * pitch, scale.radius * pitch, least, even
-    )
+    frames, clear = _proposed(nodes, scale.apart * pitch, scale.radius * pitch, least, even)
     return frames[best_apart(frames, -clear, ALONG * pitch, _ASIDE * scale.radius * pitch)]
 
 

@@ -23,7 +23,7 @@ from ..stop import Stop
 from ..trace import Trace, turned
 from ..walker import walk
 from .cloud_workers import CloudWorkers
-from .finishing import finished, part_of_trace
+from .finishing import finished, part_of_trace, parted_at_bend
 from .soundness import corners_within, sound_stretches
 from .strips import NOBODY, Strips
 from .tracks import Track
@@ -128,9 +128,10 @@ class Tracer:
         self, trace: Trace, edge: ScannedEdge | None, again: int = 2
     ) -> list[ScannedEdge]:
         """The finished edge of a trace, or of those of its stretches that evidence carries."""
-        if edge is None:
-            return []
         settings, cloud = self.chosen.settings, self.workers.cloud
+        if edge is None:
+            parts = parted_at_bend(trace, settings.cloud_pitch) if again else []
+            return self._parts(parts, again - 1)
         holders = self.strips.holders(edge.points, edge.tangents)
         others = np.isin(holders, list(self.settled))
         stretches = sound_stretches(edge, cloud, settings.edge_pitch, others)
@@ -139,10 +140,13 @@ class Tracer:
         if not again:
             whole = sum(len(stretch) for stretch in stretches) >= _MOSTLY * len(edge)
             return [edge] if whole else []
+        return self._parts([part_of_trace(trace, edge, part) for part in stretches], again - 1)
+
+    def _parts(self, traces: list[Trace], again: int) -> list[ScannedEdge]:
         edges = []
-        for stretch in stretches:
-            part = part_of_trace(trace, edge, stretch)
-            edges += self._sound_edges(part, finished(cloud, (part, self.chosen)), again - 1)
+        for trace in traces:
+            edge = finished(self.workers.cloud, (trace, self.chosen))
+            edges += self._sound_edges(trace, edge, again)
         return edges
 
     def _unclaimed(self, number: int) -> Track | None:
