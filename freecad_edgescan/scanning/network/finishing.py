@@ -19,11 +19,11 @@ from ..scan_lines import ScanLines
 from ..scanned_edge import ScannedEdge
 from ..stop import Stop
 from ..trace import Trace
+from .corners import unsure
 
 __all__ = ["finished", "part_of_trace", "parted_at_bend"]
 
 _SURE = 0.4  # pitches, of the median sigma of an edge that is believed without a click
-_ROUNDING = 0.15  # of what a rounding takes away, that makes an edge so much less sure
 _BENT = 0.6  # rad, between the chords before and behind a place, that two edges may meet at
 _BESIDE = 6.0  # pitches, of such a chord
 _STANDS_OUT, _LEAST_NOISE = 11.0, 0.1  # times the noise, and pitches that it counts for at least
@@ -59,7 +59,7 @@ def _sure(edge: ScannedEdge, settings: PatchSettings) -> bool:
         noise = max(settings.noise, _LEAST_NOISE * settings.cloud_pitch)
         if turn * length < _STANDS_OUT * noise:
             return False
-    known = _SURE * settings.cloud_pitch + _ROUNDING * float(np.median(edge.overhang))
+    known = _SURE * settings.cloud_pitch + unsure(edge, settings.cloud_pitch)
     return float(np.median(edge.sigma)) <= known
 
 

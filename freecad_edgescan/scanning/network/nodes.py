@@ -8,10 +8,11 @@ from functools import partial
 
 import numpy as np
 
+from ...cloud.cubes import one_of_each_cube
 from ...cloud.point_cloud import PointCloud
 from .pieces import in_pieces
 
-__all__ = ["Nodes", "one_of_each_cube", "spread_nodes"]
+__all__ = ["Nodes", "spread_nodes"]
 
 
 @dataclass(frozen=True)
@@ -55,16 +56,3 @@ def _planes(cloud: PointCloud, count: int, rows: np.ndarray) -> tuple[np.ndarray
     offsets -= centre[:, None]
     normals = np.linalg.eigh(offsets.transpose(0, 2, 1) @ offsets)[1][:, :, 0]
     return centre, normals
-
-
-def one_of_each_cube(points: np.ndarray, side: float) -> np.ndarray:
-    """Rows of one point in each cube that holds any, the one nearest to its middle."""
-    place = (points - points.min(axis=0)) / side
-    cell = np.floor(place)
-    off = np.square(place - cell - 0.5).sum(axis=1)
-    counts = cell.max(axis=0) + 1.0
-    if counts.prod() > 2.0**62:  # hardly two points share a cube
-        return np.arange(len(points))
-    number = cell @ np.array([counts[1] * counts[2], counts[2], 1.0])
-    order = np.lexsort((off, number))
-    return np.sort(order[np.flatnonzero(np.diff(number[order], prepend=-1.0))])

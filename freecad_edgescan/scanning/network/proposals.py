@@ -14,9 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...cloud.cubes import one_of_each_cube
 from ...cloud.point_cloud import PointCloud
 from ..section import Frames, frames_from_sides
-from .nodes import Nodes, one_of_each_cube, spread_nodes
+from .nodes import Nodes, spread_nodes
 from .pieces import in_pieces
 from .spacing import best_apart
 
