@@ -24,11 +24,13 @@ class Nodes:
     rows : (k,) numbers of the points in the cloud
     places : (k, 3) mm, the middles of their neighbourhoods
     normals : (k, 3) unit normals of the planes through these, of either sign
+    scatter : (k,) standard deviation of a neighbourhood's points about its plane, mm
     """
 
     rows: np.ndarray
     places: np.ndarray
     normals: np.ndarray
+    scatter: np.ndarray
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -45,14 +47,14 @@ def spread_nodes(cloud: PointCloud, spacing: float, neighbours: int) -> Nodes:
     rows = one_of_each_cube(cloud.points, spacing)
     count = min(neighbours, len(cloud))
     pieces = in_pieces(partial(_planes, cloud, count), rows)
-    places, normals = (np.concatenate(values) for values in zip(*pieces, strict=True))
-    return Nodes(rows, places, normals)
+    return Nodes(rows, *(np.concatenate(values) for values in zip(*pieces, strict=True)))
 
 
-def _planes(cloud: PointCloud, count: int, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _planes(cloud: PointCloud, count: int, rows: np.ndarray) -> tuple[np.ndarray, ...]:
     near = cloud.tree.query(cloud.points[rows], k=count)[1]
     offsets = cloud.points[near]
     centre = offsets.mean(axis=1)
     offsets -= centre[:, None]
-    normals = np.linalg.eigh(offsets.transpose(0, 2, 1) @ offsets)[1][:, :, 0]
-    return centre, normals
+    squares, axes = np.linalg.eigh(offsets.transpose(0, 2, 1) @ offsets)
+    scatter = np.sqrt(np.maximum(squares[:, 0], 0.0) / max(count - 3, 1))
+    return centre, axes[:, :, 0], scatter

@@ -29,6 +29,7 @@ _LINKED = 3.2  # pitches between neighbours
 _BESIDE = 6.0  # pitches from an edge, within which its sides are told apart, besides a rounding
 _OFF_RIM = 0.7  # pitches from an edge, within which a node belongs to neither side
 _TURN = 0.3  # rad, between neighbours on one face, or what noise makes it
+_BENT = 0.1  # pitches, by which a face may leave the plane of a neighbourhood
 _BY_CHANCE = 6.0  # standard deviations
 _FEWEST = 60  # points of a region
 _EDGES_NEAR = 4  # edge points of different edges that a node may be beside
@@ -57,9 +58,12 @@ def regions_between(cloud: PointCloud, edges: Sequence[ScannedEdge]) -> tuple[Re
     nodes = spread_nodes(cloud, _SPACING * cloud.pitch, _POINTS)
     beside = _Sides(edges, nodes.places, cloud.pitch)
     chance = 2.0 * cloud.noise / cloud.pitch * np.sqrt(np.pi) / _POINTS
+    # Between two faces a neighbourhood is no plane, and its node belongs to neither.
+    plane = (1.0 + _BY_CHANCE / np.sqrt(2.0 * _POINTS)) * cloud.noise + _BENT * cloud.pitch
     label = _faces(
         nodes,
         beside,
+        beside.rim | (nodes.scatter > plane),
         _LINKED * cloud.pitch,
         max(_TURN, _BY_CHANCE * chance),
         _BY_CHANCE * cloud.noise / np.sqrt(_POINTS),
@@ -128,18 +132,21 @@ class _Sides:
         return found
 
 
-def _faces(nodes: Nodes, beside: _Sides, linked: float, turn: float, scatter: float) -> np.ndarray:
+def _faces(
+    nodes: Nodes, beside: _Sides, apart: np.ndarray, linked: float, turn: float, scatter: float
+) -> np.ndarray:
     """Number of the face of each node, (k,).
 
     Parameters
     ----------
+    apart : (k,) bool, nodes that belong to no face
     linked : how far neighbours are apart at most, mm
     turn : by which their normals differ at most, rad
     scatter : of a node along its normal, at most, mm
     """
     count = len(nodes)
     pairs = cKDTree(nodes.places).query_pairs(linked, output_type="ndarray")
-    pairs = pairs[~np.any(beside.rim[pairs], axis=1)]
+    pairs = pairs[~np.any(apart[pairs], axis=1)]
     one, other = pairs[:, 0], pairs[:, 1]
     way = nodes.places[other] - nodes.places[one]
     # A surface that has turned by an angle on an arc has left its tangent by half of it.

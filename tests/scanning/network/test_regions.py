@@ -25,15 +25,21 @@ def face_of(points: np.ndarray) -> np.ndarray:
     return np.abs(np.hstack([points, points - SIZE])).argmin(axis=1)
 
 
+def sheet(rng: np.random.Generator, size: float, height: float) -> np.ndarray:
+    """Points of a level square, a jittered grid with noise."""
+    x, y = np.meshgrid(*2 * [np.arange(0.0, size, PITCH)])
+    flat = np.column_stack([x.ravel(), y.ravel()])
+    flat += rng.uniform(-0.4 * PITCH, 0.4 * PITCH, flat.shape)
+    return np.column_stack([flat, height + rng.normal(0.0, NOISE, len(flat))])
+
+
 def test_the_two_faces_of_a_thin_wall_are_two_regions() -> None:
     """2.5 pitches apart: neighbours across the wall are nearer than some along it."""
     rng = np.random.default_rng(0)
-    grid = np.stack(np.meshgrid(*2 * [np.arange(0.0, 30.0, PITCH)]), axis=-1).reshape(-1, 2)
-    places = grid + rng.uniform(-0.4 * PITCH, 0.4 * PITCH, (2, *grid.shape))
-    heights = np.array([[0.0], [2.5 * PITCH]]) + rng.normal(0.0, NOISE, places.shape[:2])
-    cloud = es.PointCloud(np.concatenate([places, heights[..., None]], axis=2).reshape(-1, 3))
+    wall = [sheet(rng, 24.0, height) for height in (0.0, 2.5 * PITCH)]
+    cloud = es.PointCloud(np.vstack([*wall, sheet(rng, 60.0, 30.0)]))
     regions = regions_between(cloud, [])
-    assert len(regions) == 2
+    assert len(regions) == 3
     for region in regions:
         assert np.ptp(cloud.points[region.mask, 2]) < 2.5 * PITCH
 
