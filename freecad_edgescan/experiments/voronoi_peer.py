@@ -52,12 +52,18 @@ class VoronoiPeer:
         self._folder.cleanup()
 
     def labelled(self, cloud: PointCloud) -> NDArray[np.float64]:
-        """The points on feature edges, (k, 3) mm."""
+        """The points on feature edges, (k, 3) mm.
+
+        Raises
+        ------
+        ValueError: the program failed.
+        """
         lengths = (str(length * cloud.pitch) for length in (_OFFSET, _CONVOLUTION))
         answer = subprocess.run(
             [self._program, *lengths, str(_THRESHOLD)],
             input=np.ascontiguousarray(cloud.points).tobytes(),
             stdout=subprocess.PIPE,
-            check=True,
         )
+        if answer.returncode:
+            raise ValueError(f"CGAL's program ended with code {answer.returncode}.")
         return cloud.points[np.frombuffer(answer.stdout, dtype=np.uint8) == 1]
