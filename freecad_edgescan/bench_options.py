@@ -24,14 +24,16 @@ def add_bench_options(bench: argparse.ArgumentParser) -> None:
     bench.add_argument(
         "--parts", nargs="*", type=Path, metavar="FILE",
         help="instead: find all edges in simulated scans of these parts (.step .iges .brep; "
-        "none: a block with a blind bore), and compare them with the parts' own",
+        "none: six parts of its own), and compare them with the parts' own",
     )  # fmt: skip
     bench.add_argument(
         "--fillet", nargs="+", type=number, default=[], metavar="PITCHES",
         help="of --parts, with their straight convex edges rounded; radii in pitches of the scan",
     )  # fmt: skip
     bench.add_argument(
-        "--peers", action="store_true", help="of --parts, beside what surface variation labels"
+        "--peers",
+        action="store_true",
+        help="of --parts, beside what surface variation and CGAL's VCM label",
     )
     bench.add_argument(
         "--seed", type=whole_number, default=0, metavar="N", help="of the random numbers"

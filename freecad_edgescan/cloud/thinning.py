@@ -4,9 +4,7 @@
 1. One point is taken of every small cube, the one nearest to its middle, so that what follows does
    not depend on how dense the cloud was.
 2. Points are taken in a random order that is always the same, unless one taken before is nearer
-   than a distance: dart throwing, as in Cook 1986, Stochastic sampling in computer graphics. It is
-   done for all points at once: whoever comes first among its neighbours is taken, they go, and so
-   on (Luby 1986, A simple parallel algorithm for the maximal independent set problem).
+   than a distance: dart throwing, as in Cook 1986, Stochastic sampling in computer graphics.
 """
 
 from __future__ import annotations
@@ -15,6 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from .cubes import one_of_each_cube
+from .first_come import first_come
 from .part_of_cloud import PartOfCloud
 from .point_cloud import PointCloud
 from .progress import Progress, Stage
@@ -72,7 +72,7 @@ def spaced_rows(
     Where progress answers False some are missing.
     """
     first = Stage(progress, 0.0, 0.5)
-    rows = _one_of_each_cube(points, _CUBE * distance)
+    rows = one_of_each_cube(points, _CUBE * distance)
     x = points[rows] - points[rows[0]]
     chosen = _spaced(x, distance, first)
     # what the cubes left out may still be too far from all that were taken
@@ -100,48 +100,14 @@ def spaced_rows(
     return np.sort(rows[chosen])
 
 
-def _one_of_each_cube(points: Array, side: float) -> NDArray[np.intp]:
-    """Rows of the points nearest to the middles of the cubes that hold any."""
-    place = (points - points.min(axis=0)) / side
-    cell = np.floor(place)
-    off = ((place - cell - 0.5) ** 2).sum(axis=1)
-    counts = cell.max(axis=0) + 1.0
-    if counts.prod() > 2.0**62:  # hardly two points share a cube
-        return np.arange(len(points))
-    number = cell.astype(np.int64) @ np.array(
-        [int(counts[1]) * int(counts[2]), int(counts[2]), 1], dtype=np.int64
-    )
-    order = np.lexsort((off, number))
-    first = np.flatnonzero(np.diff(number[order], prepend=-1))
-    return np.sort(order[first])
-
-
 def _spaced(x: Array, distance: float, progress: Progress) -> NDArray[np.bool_]:
     """Which points are taken when each one in turn is, unless one before is too near.
 
     Where progress answers False, only those that are sure by then.
     """
-    count = len(x)
-    rank = np.random.default_rng(0).permutation(count)
+    rank = np.random.default_rng(0).permutation(len(x))
     one, other = _near_pairs(x, distance)
-    taken, open_ = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
-    while len(one):
-        # those whose every open neighbour comes later
-        waits = np.zeros(count, dtype=bool)
-        later = rank[one] > rank[other]
-        waits[one[later]] = True
-        waits[other[~later]] = True
-        taken |= open_ & ~waits
-        gone = np.zeros(count, dtype=bool)
-        gone[one[taken[other]]] = True
-        gone[other[taken[one]]] = True
-        open_ &= ~(taken | gone)
-        still = open_[one] & open_[other]
-        one, other = one[still], other[still]
-        if not progress.update(1.0 - float(open_.mean()), None):
-            open_[one] = open_[other] = False
-            break
-    return taken | open_
+    return first_come(rank, one, other, progress)
 
 
 def _near_pairs(x: Array, distance: float) -> tuple[NDArray[np.intp], NDArray[np.intp]]:

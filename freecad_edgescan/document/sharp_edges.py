@@ -7,10 +7,12 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from ..cloud.true_edge import TrueEdge
 
-__all__ = ["true_edges"]
+__all__ = ["smooth_faces", "true_edges"]
 
 Array = NDArray[np.float64]
 
@@ -62,6 +64,27 @@ def true_edges(shape: Any, min_angle: float = 0.26) -> list[TrueEdge]:
             drafts.append(draft)
     rooms = _rooms([draft["points"] for draft in drafts], [draft["closed"] for draft in drafts])
     return [TrueEdge(**draft, room=room) for draft, room in zip(drafts, rooms, strict=True)]
+
+
+def smooth_faces(shape: Any, min_angle: float = 0.26) -> NDArray[np.intp]:
+    """Number of the smooth face to which each face of a shape belongs, (faces,).
+
+    Faces that meet in an edge that is not sharp are one.
+
+    Parameters
+    ----------
+    shape, min_angle : as of `true_edges`
+    """
+    sharp = {edge.name for edge in true_edges(shape, min_angle)}
+    faces = shape.Faces
+    pairs = [
+        [next(k for k, face in enumerate(faces) if face.isSame(meeting)) for meeting, _ in both]
+        for number, both in enumerate(_faces_of_edges(shape), start=1)
+        if len(both) == 2 and f"Edge{number}" not in sharp
+    ]
+    one, other = np.array(pairs, dtype=np.intp).reshape(-1, 2).T
+    graph = coo_matrix((np.ones(len(one)), (one, other)), shape=(len(faces), len(faces)))
+    return np.asarray(connected_components(graph, directed=False)[1], dtype=np.intp)
 
 
 def _faces_of_edges(shape: Any) -> list[list[tuple[Any, str]]]:

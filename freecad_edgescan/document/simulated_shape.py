@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from ..cloud.first_come import first_come
 from ..cloud.simulated_cloud import SimulatedCloud
 from .contacts import Contacts
 from .given_numbers import length_or_zero, positive_length, whole_number
@@ -106,20 +107,7 @@ def _check(shape: Any, pitch: float, noise: float, probe_radius: float, seed: in
     whole_number("seed", seed, 0)
 
 
-def _spread(points: Array, distance: float) -> NDArray[np.intp]:
-    """Numbers of the points that are accepted, first come first served, at least this far apart.
-
-    The result is that of going through the points one by one; the rounds only do it at once.
-    """
+def _spread(points: Array, distance: float) -> NDArray[np.int64]:
+    """Numbers of the points that are accepted, first come first served, at least this far apart."""
     first, second = cKDTree(points).query_pairs(distance, output_type="ndarray").T
-    open_ = np.ones(len(points), dtype=bool)
-    accepted = np.zeros(len(points), dtype=bool)
-    while np.any(open_):
-        free = open_.copy()
-        free[second] = False
-        accepted |= free
-        open_ &= ~free
-        open_[second[free[first]]] = False
-        pending = open_[first] & open_[second]
-        first, second = first[pending], second[pending]
-    return np.flatnonzero(accepted)
+    return np.flatnonzero(first_come(np.arange(len(points)), first, second))

@@ -69,7 +69,9 @@ def turned_covariance(covariance: np.ndarray, before: np.ndarray, after: np.ndar
 
 
 def largest_sigma(covariance: np.ndarray) -> np.ndarray:
-    """Standard deviation in the worst direction, (m,) mm, of (m, 2, 2) mm²."""
+    """Standard deviation in the worst direction, (m,) mm, of (m, k, k) mm²."""
+    if covariance.shape[-1] != 2:
+        return np.sqrt(np.maximum(np.linalg.eigvalsh(covariance)[:, -1], 0.0))
     a, b, d = covariance[:, 0, 0], covariance[:, 0, 1], covariance[:, 1, 1]
     return np.sqrt(np.maximum(0.5 * (a + d) + np.hypot(0.5 * (a - d), b), 0.0))
 

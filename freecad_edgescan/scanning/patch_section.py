@@ -15,9 +15,9 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners, largest_sigma
 from .fillet import gap_under_rounding
+from .measured_sections import MeasuredSections
 from .normal_equations import block_counts, block_moments, without_crowds
 from .section import Frames, SectionPoints, Station, frames_from_sides, section_points
-from .sections import Sections
 from .side_fit import SideFits, choose_stretches
 from .stop import Stop
 
@@ -138,7 +138,7 @@ class PatchSection:
         seen = self.look(frames, half_width)
         return [seen.station(k) for k in range(len(frames))]
 
-    def look(self, frames: Frames, half_width: np.ndarray) -> Sections:
+    def look(self, frames: Frames, half_width: np.ndarray) -> MeasuredSections:
         """Measure in one slab each, once.
 
         Parameters
@@ -154,7 +154,7 @@ class PatchSection:
         )
         enough = _counts(kept, sections).min(axis=1) >= 6
         if not enough.any():
-            return Sections.unmeasured(frames, missing, settings.reach)
+            return MeasuredSections.unmeasured(frames, missing, settings.reach)
         fits = self._fit(frames, kept, half_width)
         residual = fits.residuals(kept)
         limit = 3.5 * np.maximum(np.sqrt(fits.variance) * settings.reach, settings.noise)
@@ -187,12 +187,12 @@ class PatchSection:
         stops[lost_in_noise] = Stop.LOST
         stops[measured.turn < settings.min_angle / 2.0] = Stop.SMOOTH
         reach = np.full(sections, settings.reach)
-        seen = Sections(measured, sigma, noise, begins, ends, cover, stops, reach)
+        seen = MeasuredSections(measured, sigma, noise, begins, ends, cover, stops, reach)
         if np.all(enough & ~lost):
             return seen
         missing[enough] = Stop.LOST
         nowhere = np.flatnonzero(~enough | lost)
-        nothing = Sections.unmeasured(frames[nowhere], missing[nowhere], settings.reach)
+        nothing = MeasuredSections.unmeasured(frames[nowhere], missing[nowhere], settings.reach)
         return seen.replaced(nowhere, nothing)
 
     def _fitted_again(

@@ -274,7 +274,9 @@ def test_scanned_edges_in_a_group_are_true_each_by_itself(searched_cloud: Any) -
 
 
 def test_the_bench_measures_a_box_as_it_is() -> None:
-    (report,) = bench_part(sharp_part("box", Part.makeBox(*SIZE)), PITCH)
+    bench = bench_part(sharp_part("box", Part.makeBox(*SIZE)), PITCH)
+    (report,) = bench.reports
+    assert bench.regions is not None and bench.regions.found == bench.regions.faces == 6
     assert report.recall > 0.98 and report.precision > 0.99
     assert report.corners == (8, 8)
     assert report.rms < 0.5 * 0.2 * PITCH

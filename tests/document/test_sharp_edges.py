@@ -10,6 +10,8 @@ FreeCAD = pytest.importorskip("FreeCAD")
 Part = pytest.importorskip("Part")
 
 from freecad_edgescan import document  # noqa: E402
+from freecad_edgescan.document.sharp_edges import smooth_faces  # noqa: E402
+from freecad_edgescan.document.varied_parts import varied_parts  # noqa: E402
 
 V = FreeCAD.Vector
 
@@ -81,3 +83,18 @@ def test_a_moved_and_turned_shape_has_moved_edges() -> None:
 def test_a_wire_has_no_faces_to_meet() -> None:
     with pytest.raises(ValueError, match="without faces"):
         document.true_edges(Part.makeCircle(3))
+
+
+def test_faces_that_meet_without_an_edge_are_one_smooth_face() -> None:
+    box = Part.makeBox(20, 15, 10)
+    assert len(set(smooth_faces(box))) == 6
+    rounded = box.makeFillet(2.0, [box.Edges[0]])
+    labels = smooth_faces(rounded)
+    assert len(labels) == 7 and len(set(labels)) == 5
+    assert len(set(smooth_faces(Part.makeCylinder(10, 12)))) == 3
+
+
+@pytest.mark.parametrize("name, shape", varied_parts())
+def test_the_parts_to_try_edges_on_are_sound_solids(name: str, shape: Part.Shape) -> None:
+    assert shape.isValid() and len(shape.Solids) == 1
+    assert len(document.true_edges(shape)) >= 12

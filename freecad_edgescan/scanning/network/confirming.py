@@ -5,10 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...cloud.point_cloud import PointCloud
+from ..measured_sections import MeasuredSections
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
-from ..sections import Sections
+from ..stop import Stop
+from .cloud_workers import CloudWorkers
 from .measuring import measure_sections
 from .tracks import Track, join_tracks
 
@@ -17,13 +18,13 @@ __all__ = ["confirmed"]
 _SHORT = 7  # sections, below which a track is looked at again
 _STEP = 1.5  # pitches between its new sections
 _BEYOND = 2  # new sections before and behind it
-_REACH = 13.0  # pitches
+_REACH = 13.0  # pitches, at least
 _AGREE = 0.7  # of the new sections between the old ones, that find the edge, too
 _NEAR = 0.8  # pitches, from where it was
 _LARGEST_SIGMA, _LEAST_COVER = 0.45, 0.55
 
 
-def confirmed(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> list[Track]:
+def confirmed(workers: CloudWorkers, tracks: list[Track], settings: PatchSettings) -> list[Track]:
     """The long tracks, and of the short ones those that are confirmed, with more sections."""
     long = [track for track in tracks if len(track) >= _SHORT or track.closed]
     short = [track for track in tracks if not (len(track) >= _SHORT or track.closed)]
@@ -32,7 +33,14 @@ def confirmed(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -
     pitch = settings.cloud_pitch
     laid = [_laid(track, _STEP * pitch) for track in short]
     frames = Frames.join([part for part, _ in laid])
-    measured = measure_sections(cloud, frames, settings.with_reach(_REACH * pitch), times=2)
+    # What stands under a rounding was seen by looking beyond it, and is only seen so.
+    far = [float(np.median(track.sections.reach)) > _REACH * pitch for track in short]
+    farther = np.repeat(far, [len(part) for part, _ in laid])
+    measured = MeasuredSections.unmeasured(frames, Stop.LOST, settings.reach)
+    for which, reach in ((~farther, _REACH * pitch), (farther, settings.reach)):
+        rows = np.flatnonzero(which)
+        seen = measure_sections(workers, frames[rows], settings.with_reach(reach), times=2)
+        measured = measured.replaced(rows, seen)
     off = np.linalg.norm(measured.frames.origin - frames.origin, axis=1)
     with np.errstate(invalid="ignore"):
         good = measured.found & (off < _NEAR * pitch) & (measured.cover > _LEAST_COVER)
@@ -74,7 +82,7 @@ def _laid(track: Track, step: float) -> tuple[Frames, np.ndarray]:
     )
 
 
-def _track(measured: Sections, good: np.ndarray, within: np.ndarray) -> Track:
+def _track(measured: MeasuredSections, good: np.ndarray, within: np.ndarray) -> Track:
     """The good sections, without those beyond an end that a bad one lies before."""
     first, last = np.flatnonzero(within)[[0, -1]]
     while first > 0 and good[first - 1]:

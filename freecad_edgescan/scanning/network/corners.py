@@ -14,9 +14,10 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ..corner import largest_sigma
 from ..scanned_edge import ScannedEdge
 
-__all__ = ["Corners", "joined_corners"]
+__all__ = ["Corners", "joined_corners", "unsure"]
 
 _TOGETHER = 1.6  # pitches between two vertices of one corner, besides what a rounding makes unsure
 _ROUNDING = 0.15  # of what a rounding takes away
@@ -67,8 +68,8 @@ def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
         return _none(len(edges))
     points = np.array([edges[number].vertices[k][0] for number, k in ends])  # type: ignore[index]
     spread = np.array([edges[number].vertices[k][1] for number, k in ends])  # type: ignore[index]
-    unsure = np.array([_unsure(edges[number], pitch) for number, _ in ends])
-    label = _grouped(points, spread, unsure, pitch)
+    doubts = np.array([unsure(edges[number], pitch) for number, _ in ends])
+    label = _grouped(points, spread, doubts, pitch)
     numbers = np.array(ends)
     found: list[tuple[np.ndarray, np.ndarray, float, int]] = []
     for group in range(int(label.max()) + 1):
@@ -76,8 +77,8 @@ def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
         point, covariance = _mean(points[mine], spread[mine], pitch)
         others = _drawn_out_to(edges, point, numbers[mine], of_ends, pitch)
         passing = _passing(edges, point, {*numbers[mine, 0], *(j for j, _ in others)}, pitch)
-        worst = float(np.sqrt(np.linalg.eigvalsh(covariance)[-1]))
-        if worst > _LARGEST_SIGMA * pitch + unsure[mine].max():
+        worst = float(largest_sigma(covariance[None])[0])
+        if worst > _LARGEST_SIGMA * pitch + doubts[mine].max():
             continue
         # Two edges alone make a corner where each of them has found it by itself.
         if len(mine) + len(others) < 3 and len(mine) < 2 and passing < 0:
@@ -117,24 +118,23 @@ def _believable(edge: ScannedEdge, k: int, pitch: float) -> bool:
     return off < _FARTHEST * pitch + 3.0 * _rounded(edge)
 
 
-def _unsure(edge: ScannedEdge, pitch: float) -> float:
-    """How far a vertex may be off besides its covariance, mm."""
+def unsure(edge: ScannedEdge, pitch: float) -> float:
+    """How far an edge or its vertex may be off besides its covariance, under a rounding, mm."""
     return _ROUNDING * max(_rounded(edge) - pitch, 0.0)
 
 
 def _grouped(
-    points: np.ndarray, spread: np.ndarray, unsure: np.ndarray, pitch: float
+    points: np.ndarray, spread: np.ndarray, doubts: np.ndarray, pitch: float
 ) -> np.ndarray:
     """Number of the group of each vertex, (n,)."""
-    sigma = np.sqrt(np.maximum(np.linalg.eigvalsh(spread)[:, -1], 0.0))
-    sigma = np.minimum(sigma, 0.5 * pitch)
-    widest = _TOGETHER * pitch + 2.0 * (unsure.max() + _SIGMAS * sigma.max())
+    sigma = np.minimum(largest_sigma(spread), 0.5 * pitch)
+    widest = _TOGETHER * pitch + 2.0 * (doubts.max() + _SIGMAS * sigma.max())
     one, other = cKDTree(points).query_pairs(widest, output_type="ndarray").T
     off = np.linalg.norm(points[one] - points[other], axis=1)
     near = off <= (
         _TOGETHER * pitch
-        + unsure[one]
-        + unsure[other]
+        + doubts[one]
+        + doubts[other]
         + _SIGMAS * np.hypot(sigma[one], sigma[other])
     )
     count = len(points)
@@ -184,7 +184,7 @@ def _drawn_out_to(
             way = way / max(float(np.linalg.norm(way)), 1e-12)
             ahead = float(offset @ way)
             aside = float(np.linalg.norm(offset - ahead * way))
-            if ahead > -2.0 * pitch and aside < _OFF_LINE * pitch + _unsure(edge, pitch):
+            if ahead > -2.0 * pitch and aside < _OFF_LINE * pitch + unsure(edge, pitch):
                 found.append((number, k))
     return found
 

@@ -7,15 +7,14 @@ What a smaller scale has found for certain is not looked for at a larger one.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...cloud.point_cloud import PointCloud
+from ..measured_sections import MeasuredSections
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
-from ..sections import Sections
+from .cloud_workers import CloudWorkers
 from .measuring import measure_sections
 from .proposals import ALONG, SCALES, propose_sections
 from .spacing import best_apart
@@ -35,11 +34,11 @@ _ASIDE = 1.5  # pitches: two sections nearer than that beside each other are of 
 
 
 def sections_on_edges(
-    cloud: PointCloud,
+    workers: CloudWorkers,
     settings: PatchSettings,
     spacing: float = ALONG,
     tell: Callable[[float], bool] | None = None,
-) -> Sections:
+) -> MeasuredSections:
     """Sections on the edges of a cloud, some pitches apart, in no order.
 
     Parameters
@@ -49,26 +48,32 @@ def sections_on_edges(
     tell : told the share that is done; where it answers False, the search ends
     """
     pitch = settings.cloud_pitch
-    found: list[Sections] = []
+    found: list[MeasuredSections] = []
     for number, (scale, reach) in enumerate(zip(SCALES, _REACHES, strict=True)):
         if tell is not None and not tell(number / len(SCALES)):
             break
-        proposed = propose_sections(cloud, scale, settings.min_angle)
+        proposed = propose_sections(workers.cloud, scale, settings.min_angle)
         if found:
-            proposed = proposed[~_claimed(proposed, Sections.join(found), pitch)]
-        own = replace(settings, reach=reach * pitch)
-        measured = _seen_farther(cloud, measure_sections(cloud, proposed, own), settings)
+            proposed = proposed[~_claimed(proposed, MeasuredSections.join(found), pitch)]
+        measured = measure_sections(workers, proposed, settings.with_reach(reach * pitch))
+        measured = measured[measured.found]
+        if found:  # what stands where an edge is known only now is nothing new either
+            known = MeasuredSections.join(found)
+            measured = measured[~_claimed(measured.frames, known, pitch)]
+        measured = _seen_farther(workers, measured, settings)
         found.append(measured[_sound(measured, settings)])
     if not found:
         nothing = np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 2, 3))
-        return measure_sections(cloud, frames_from_sides(*nothing), settings)
-    sections = Sections.join(found)
+        return measure_sections(workers, frames_from_sides(*nothing), settings)
+    sections = MeasuredSections.join(found)
     return sections[
         best_apart(sections.frames, sections.doubt, 0.6 * spacing * pitch, _ASIDE * pitch)
     ]
 
 
-def _seen_farther(cloud: PointCloud, sections: Sections, settings: PatchSettings) -> Sections:
+def _seen_farther(
+    workers: CloudWorkers, sections: MeasuredSections, settings: PatchSettings
+) -> MeasuredSections:
     """The sections, those that may stand on a rounding measured again with the whole reach.
 
     A short look at a wide rounding takes a part of it for a side, which is bent and known badly.
@@ -82,7 +87,7 @@ def _seen_farther(cloud: PointCloud, sections: Sections, settings: PatchSettings
         if not len(rows):
             break
         before = sections[rows]
-        after = measure_sections(cloud, before.frames, settings)
+        after = measure_sections(workers, before.frames, settings)
         better = after.found & (after.sigma < 1.1 * before.sigma)
         rows, before, after = rows[better], before[better], after[better]
         sections = sections.replaced(rows, after)
@@ -92,7 +97,7 @@ def _seen_farther(cloud: PointCloud, sections: Sections, settings: PatchSettings
     return sections
 
 
-def _sound(sections: Sections, settings: PatchSettings) -> np.ndarray:
+def _sound(sections: MeasuredSections, settings: PatchSettings) -> np.ndarray:
     """Whether two sides surely meet there at more than the least angle, (m,)."""
     with np.errstate(invalid="ignore"):
         known = sections.sigma < _LARGEST_SIGMA * settings.cloud_pitch
@@ -100,7 +105,7 @@ def _sound(sections: Sections, settings: PatchSettings) -> np.ndarray:
     return sections.found & known & turning & (sections.cover > _LEAST_COVER)
 
 
-def _claimed(frames: Frames, sections: Sections, pitch: float) -> np.ndarray:
+def _claimed(frames: Frames, sections: MeasuredSections, pitch: float) -> np.ndarray:
     """Which proposals lie where an edge has been found for certain, (m,)."""
     certain = sections.sigma < _CERTAIN_SIGMA * pitch
     certain &= sections.cover > _CERTAIN_COVER

@@ -24,6 +24,7 @@ from ..patch_section import PatchSettings
 from ..progress import Progress
 from ..scanned_edge import ScannedEdge
 from .chains import chains_of
+from .cloud_workers import CloudWorkers, jobs_for
 from .confirming import confirmed
 from .edge_network import EdgeNetwork, network_of
 from .evidence import sections_on_edges
@@ -46,6 +47,7 @@ def find_edges(
     min_length: float | None = None,
     progress: Progress | None = None,
     region: ArrayLike | None = None,
+    jobs: int | None = None,
 ) -> EdgeNetwork:
     """Find all edges of a cloud, without a click.
 
@@ -57,6 +59,8 @@ def find_edges(
     progress : told the share that is done, and the edges so far as a list; where it answers False
         the search ends, and what was found until then is kept
     region : ((xmin, ymin, zmin), (xmax, ymax, zmax)), mm: only this box of the cloud is searched
+    jobs : number of processes, which does not change the result; 1: this one; None: as many as
+        the machine has cores, where the cloud is worth it
 
     Returns
     -------
@@ -64,10 +68,10 @@ def find_edges(
 
     Raises
     ------
-    ScanError: an angle or a length that is none, or a region without points.
+    ScanError: an angle, a length or a number of jobs that is none, or a region without points.
     ValueError: a cloud without a surface.
     """
-    _check(min_angle, min_length)
+    _check(min_angle, min_length, jobs)
     if region is not None:
         cloud = _cut_out(cloud, region)
     require_surface(cloud)
@@ -76,24 +80,25 @@ def find_edges(
     chosen = _chosen(cloud, min_angle)
     if _scattered(cloud):
         return network_of(cloud, [], _no_surface(cloud))
-    tracks = _tracks(cloud, chosen, told)
     edges: list[ScannedEdge] = []
-    tracer = Tracer(cloud, tracks, chosen)
-    for number in range(len(tracks)):
-        share = number / len(tracks)
-        if not told.update(_TRACKING + (1.0 - _TRACKING) * share, edges):
-            break
-        edges += [edge for edge in tracer.finish(number) if edge.length >= shortest]
+    with CloudWorkers(cloud, jobs_for(cloud) if jobs is None else jobs) as workers:
+        tracks = _tracks(workers, chosen, told)
+        for share, found in Tracer(workers, tracks, chosen).edges():
+            edges += [edge for edge in found if edge.length >= shortest]
+            if not told.update(_TRACKING + (1.0 - _TRACKING) * share, edges):
+                break
     network = network_of(cloud, edges, _message(edges, shortest, told.cancelled), told.cancelled)
     told.update(1.0, edges)
     return network
 
 
-def _check(min_angle: float, min_length: float | None) -> None:
+def _check(min_angle: float, min_length: float | None, jobs: int | None) -> None:
     if not 0.0 < min_angle < np.pi:
         raise ScanError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
     if min_length is not None and not 0.0 <= min_length < np.inf:
         raise ScanError(f"The least length is {min_length!r}; give 0 or a positive length in mm.")
+    if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
+        raise ScanError(f"The number of jobs is {jobs!r}; give a positive integer, or None.")
 
 
 def _cut_out(cloud: PointCloud, region: ArrayLike) -> PointCloud:
@@ -141,21 +146,21 @@ def _no_surface(cloud: PointCloud) -> str:
     )
 
 
-def _tracks(cloud: PointCloud, chosen: Chosen, told: _Told) -> list[Track]:
+def _tracks(workers: CloudWorkers, chosen: Chosen, told: _Told) -> list[Track]:
     """Tracks in order of confidence."""
     settings = chosen.settings
     sections = sections_on_edges(
-        cloud, settings, tell=lambda share: told.update(_LOOKING * share, [])
+        workers, settings, tell=lambda share: told.update(_LOOKING * share, [])
     )
     if told.cancelled:
         return []
     tracks = [
         part
-        for chain in chains_of(sections.frames, cloud.pitch, _FEWEST)
+        for chain in chains_of(sections.frames, settings.cloud_pitch, _FEWEST)
         for part in split_at_corners(track_of(sections, chain))
     ]
-    tracks = bridged(cloud, tracks, settings)
-    return confirmed(cloud, tracks, settings)
+    tracks = bridged(workers, tracks, settings)
+    return confirmed(workers, tracks, settings)
 
 
 def _message(edges: list[ScannedEdge], shortest: float, cancelled: bool) -> str:

@@ -11,10 +11,10 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
-from ...cloud.point_cloud import PointCloud
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
 from .chains import follow
+from .cloud_workers import CloudWorkers
 from .measuring import measure_sections
 from .strips import NOBODY, Strips
 from .tracks import Track, join_tracks, reversed_track
@@ -28,7 +28,7 @@ _OVERLAP = 1.8  # pitches along an edge between two sections of one place
 _POINTS_NEAR = 2.0  # pitches
 
 
-def bridged(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> list[Track]:
+def bridged(workers: CloudWorkers, tracks: list[Track], settings: PatchSettings) -> list[Track]:
     """Tracks joined to edges, the longest first."""
     pitch = settings.cloud_pitch
     tracks = _without_overlaps(tracks, pitch)
@@ -38,7 +38,7 @@ def bridged(cloud: PointCloud, tracks: list[Track], settings: PatchSettings) -> 
         if pair is None:
             return sorted(tracks, key=lambda track: track.length, reverse=True)
         (one, end_one), (other, end_other) = pair
-        gap = _gap(cloud, tracks[one], end_one, tracks[other], end_other, settings)
+        gap = _gap(workers, tracks[one], end_one, tracks[other], end_other, settings)
         if gap is None:
             refused.add(_key(tracks, pair))
             continue
@@ -114,7 +114,7 @@ def _nearest_ends(
 
 
 def _gap(
-    cloud: PointCloud,
+    workers: CloudWorkers,
     one: Track,
     end_one: int,
     other: Track,
@@ -130,9 +130,9 @@ def _gap(
         return []
     share = (np.arange(count) + 1.0) / (count + 1.0)
     frames = _between(leave, arrive, distance, share)
-    near = cloud.tree.query(frames.origin)[0] < _POINTS_NEAR * pitch
+    near = workers.cloud.tree.query(frames.origin)[0] < _POINTS_NEAR * pitch
     reach = float(np.median(np.concatenate([one.sections.reach, other.sections.reach])))
-    measured = measure_sections(cloud, frames, settings.with_reach(reach))
+    measured = measure_sections(workers, frames, settings.with_reach(reach))
     off = np.linalg.norm(measured.frames.origin - frames.origin, axis=1)
     found = measured.found & (off < 0.15 * distance + pitch)
     if np.count_nonzero(near & ~found) > _SPEAKS_AGAINST * len(share):

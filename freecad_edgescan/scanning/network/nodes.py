@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
+from ...cloud.cubes import one_of_each_cube
 from ...cloud.point_cloud import PointCloud
+from .pieces import in_pieces
 
 __all__ = ["Nodes", "spread_nodes"]
-
-_AT_ONCE = 50_000  # nodes whose neighbourhoods are held at a time
 
 
 @dataclass(frozen=True)
@@ -23,11 +24,13 @@ class Nodes:
     rows : (k,) numbers of the points in the cloud
     places : (k, 3) mm, the middles of their neighbourhoods
     normals : (k, 3) unit normals of the planes through these, of either sign
+    scatter : (k,) standard deviation of a neighbourhood's points about its plane, mm
     """
 
     rows: np.ndarray
     places: np.ndarray
     normals: np.ndarray
+    scatter: np.ndarray
 
     def __len__(self) -> int:
         return len(self.rows)
@@ -41,33 +44,17 @@ def spread_nodes(cloud: PointCloud, spacing: float, neighbours: int) -> Nodes:
     spacing : side of the cubes, mm
     neighbours : number of points of a neighbourhood
     """
-    rows = _one_of_each_cube(cloud.points, spacing)
+    rows = one_of_each_cube(cloud.points, spacing)
     count = min(neighbours, len(cloud))
-    pieces = [
-        _planes(cloud, part, count)
-        for part in np.array_split(rows, max(1, -(-len(rows) // _AT_ONCE)))
-    ]
-    places, normals = (np.concatenate(values) for values in zip(*pieces, strict=True))
-    return Nodes(rows, places, normals)
+    pieces = in_pieces(partial(_planes, cloud, count), rows)
+    return Nodes(rows, *(np.concatenate(values) for values in zip(*pieces, strict=True)))
 
 
-def _planes(cloud: PointCloud, rows: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    near = cloud.tree.query(cloud.points[rows], k=count, workers=-1)[1]
+def _planes(cloud: PointCloud, count: int, rows: np.ndarray) -> tuple[np.ndarray, ...]:
+    near = cloud.tree.query(cloud.points[rows], k=count)[1]
     offsets = cloud.points[near]
     centre = offsets.mean(axis=1)
     offsets -= centre[:, None]
-    normals = np.linalg.eigh(offsets.transpose(0, 2, 1) @ offsets)[1][:, :, 0]
-    return centre, normals
-
-
-def _one_of_each_cube(points: np.ndarray, side: float) -> np.ndarray:
-    """Rows of one point in each cube that holds any, the one nearest to its middle."""
-    place = (points - points.min(axis=0)) / side
-    cell = np.floor(place)
-    off = np.square(place - cell - 0.5).sum(axis=1)
-    counts = cell.max(axis=0) + 1.0
-    if counts.prod() > 2.0**62:  # hardly two points share a cube
-        return np.arange(len(points))
-    number = cell @ np.array([counts[1] * counts[2], counts[2], 1.0])
-    order = np.lexsort((off, number))
-    return np.sort(order[np.flatnonzero(np.diff(number[order], prepend=-1.0))])
+    squares, axes = np.linalg.eigh(offsets.transpose(0, 2, 1) @ offsets)
+    scatter = np.sqrt(np.maximum(squares[:, 0], 0.0) / max(count - 3, 1))
+    return centre, axes[:, :, 0], scatter

@@ -14,9 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...cloud.cubes import one_of_each_cube
 from ...cloud.point_cloud import PointCloud
 from ..section import Frames, frames_from_sides
 from .nodes import Nodes, spread_nodes
+from .pieces import in_pieces
 from .spacing import best_apart
 
 __all__ = ["ALONG", "SCALES", "Scale", "propose_sections"]
@@ -31,14 +33,16 @@ class Scale:
     spacing : of the nodes
     neighbours : points of a node's neighbourhood
     radius : of a place
+    apart : two places, roughly
     """
 
     spacing: float
     neighbours: int
     radius: float
+    apart: float
 
 
-SCALES = (Scale(1.6, 14, 4.5), Scale(2.6, 24, 8.0), Scale(4.5, 48, 14.0))
+SCALES = (Scale(1.6, 14, 4.5, 2.4), Scale(2.6, 24, 8.0, 2.6), Scale(4.5, 48, 14.0, 4.5))
 ALONG = 3.5  # pitches: one proposal for a place and direction
 _NEIGHBOURS = 30  # nodes of a place, at most
 _FEWEST = 2  # of a group
@@ -47,7 +51,6 @@ _PURE = 0.3  # of the way between two groups, within which a node belongs to one
 _ASIDE = 0.3  # of the radius, likewise
 _UNEVEN = 1.6  # of what noise leaves over, that one smooth surface leaves where there is an edge
 _FLAT = 0.012  # pitches, that a surface leaves over where there is no noise
-_AT_ONCE = 60_000
 
 
 def propose_sections(cloud: PointCloud, scale: Scale, min_angle: float) -> Frames:
@@ -64,18 +67,20 @@ def propose_sections(cloud: PointCloud, scale: Scale, min_angle: float) -> Frame
     chance = 2.0 * cloud.noise / pitch * np.sqrt(np.pi) / scale.neighbours
     least = max(0.5 * min_angle, _BY_CHANCE * chance)
     even = _UNEVEN * cloud.noise / np.sqrt(scale.neighbours) + _FLAT * pitch
-    frames, clear = _proposed(nodes, scale.radius * pitch, least, even)
+    frames, clear = _proposed(nodes, scale.apart * pitch, scale.radius * pitch, least, even)
     return frames[best_apart(frames, -clear, ALONG * pitch, _ASIDE * scale.radius * pitch)]
 
 
-def _proposed(nodes: Nodes, radius: float, least: float, even: float) -> tuple[Frames, np.ndarray]:
+def _proposed(
+    nodes: Nodes, apart: float, radius: float, least: float, even: float
+) -> tuple[Frames, np.ndarray]:
     """Sections, and how clearly the normals fall into two groups, 0 … 1."""
     tree = cKDTree(nodes.places, balanced_tree=False)
     count = min(_NEIGHBOURS, len(nodes))
-    parts = [
-        _of_nodes(nodes, rows, tree, count, radius, least, even)
-        for rows in np.array_split(np.arange(len(nodes)), max(1, -(-len(nodes) // _AT_ONCE)))
-    ]
+    parts = in_pieces(
+        lambda rows: _of_nodes(nodes, rows, tree, count, radius, least, even),
+        one_of_each_cube(nodes.places, apart),
+    )
     frames, clear = zip(*parts, strict=True)
     return Frames.join(frames), np.concatenate(clear)
 
@@ -89,9 +94,7 @@ def _of_nodes(
     least: float,
     even: float,
 ) -> tuple[Frames, np.ndarray]:
-    _, near = tree.query(
-        nodes.places[rows], k=range(1, count + 1), distance_upper_bound=radius, workers=-1
-    )
+    _, near = tree.query(nodes.places[rows], k=range(1, count + 1), distance_upper_bound=radius)
     there = near < len(nodes)
     near = np.where(there, near, rows[:, None])
     alike = np.abs(np.einsum("nki,ni->nk", nodes.normals[near], nodes.normals[rows]))

@@ -2,7 +2,9 @@
 """The faces between the edges of a network, as parts of the cloud.
 
 Neighbouring nodes belong to one face unless an edge runs between them, that is, unless they lie on
-different sides of it, or their normals differ by more than a smooth surface turns between them.
+different sides of it, or one lies farther beside the other's plane, or is turned more against it,
+than a smooth surface bends between them: so the two faces of a thin wall are two. An edge that ends
+short of the next one at a corner parts its faces up to that corner, too.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from scipy.spatial import cKDTree
 from ...cloud.point_cloud import PointCloud
 from ..scanned_edge import ScannedEdge
 from .nodes import Nodes, spread_nodes
+from .parting_lines import parting_lines
 
 __all__ = ["Region", "labels_of", "regions_between"]
 
@@ -26,6 +29,7 @@ _LINKED = 3.2  # pitches between neighbours
 _BESIDE = 6.0  # pitches from an edge, within which its sides are told apart, besides a rounding
 _OFF_RIM = 0.7  # pitches from an edge, within which a node belongs to neither side
 _TURN = 0.3  # rad, between neighbours on one face, or what noise makes it
+_BENT = 0.1  # pitches, by which a face may leave the plane of a neighbourhood
 _BY_CHANCE = 6.0  # standard deviations
 _FEWEST = 60  # points of a region
 _EDGES_NEAR = 4  # edge points of different edges that a node may be beside
@@ -54,7 +58,16 @@ def regions_between(cloud: PointCloud, edges: Sequence[ScannedEdge]) -> tuple[Re
     nodes = spread_nodes(cloud, _SPACING * cloud.pitch, _POINTS)
     beside = _Sides(edges, nodes.places, cloud.pitch)
     chance = 2.0 * cloud.noise / cloud.pitch * np.sqrt(np.pi) / _POINTS
-    label = _faces(nodes, beside, cloud.pitch, max(_TURN, _BY_CHANCE * chance))
+    # Between two faces a neighbourhood is no plane, and its node belongs to neither.
+    plane = (1.0 + _BY_CHANCE / np.sqrt(2.0 * _POINTS)) * cloud.noise + _BENT * cloud.pitch
+    label = _faces(
+        nodes,
+        beside,
+        beside.rim | (nodes.scatter > plane),
+        _LINKED * cloud.pitch,
+        max(_TURN, _BY_CHANCE * chance),
+        _BY_CHANCE * cloud.noise / np.sqrt(_POINTS),
+    )
     of_points = labels_of(cloud, nodes, label)
     sizes = np.bincount(of_points[of_points >= 0], minlength=label.max() + 1)
     bounds = beside.bounds(label)
@@ -75,19 +88,18 @@ class _Sides:
         tree = cKDTree(places)
         self.rim = np.zeros(count, dtype=bool)
         filled = np.zeros(count, dtype=np.int64)
-        for number, edge in enumerate(edges):
-            if not len(edge):
-                continue
+        lines = parting_lines(edges, pitch)
+        for number, (edge, line) in enumerate(zip(edges, lines, strict=True)):
             rounded = float(np.median(edge.overhang)) if len(edge.overhang) else 0.0
             reach = _BESIDE * pitch + 2.0 * max(rounded - pitch, 0.0)
-            balls = tree.query_ball_point(edge.points, reach)
+            balls = tree.query_ball_point(line.points, reach)
             rows = np.unique(np.concatenate([np.asarray(ball, np.int64) for ball in balls]))
-            near = cKDTree(edge.points).query(places[rows])[1]
-            offset = places[rows] - edge.points[near]
-            ahead = np.einsum("ni,ni->n", offset, edge.tangents[near])
+            near = cKDTree(line.points).query(places[rows])[1]
+            offset = places[rows] - line.points[near]
+            ahead = np.einsum("ni,ni->n", offset, line.tangents[near])
             # Beyond its ends an edge parts nothing.
             inner = np.abs(ahead) < 2.0 * pitch
-            away = np.einsum("nki,ni->nk", edge.sides[near], offset)
+            away = np.einsum("nki,ni->nk", line.sides[near], offset)
             clear = np.abs(away[:, 0] - away[:, 1]) > _OFF_RIM * pitch
             self.rim[rows[inner & ~clear]] = True
             wanted = inner & clear & (filled[rows] < _EDGES_NEAR)
@@ -120,15 +132,32 @@ class _Sides:
         return found
 
 
-def _faces(nodes: Nodes, beside: _Sides, pitch: float, turn: float) -> np.ndarray:
-    """Number of the face of each node, (k,)."""
+def _faces(
+    nodes: Nodes, beside: _Sides, apart: np.ndarray, linked: float, turn: float, scatter: float
+) -> np.ndarray:
+    """Number of the face of each node, (k,).
+
+    Parameters
+    ----------
+    apart : (k,) bool, nodes that belong to no face
+    linked : how far neighbours are apart at most, mm
+    turn : by which their normals differ at most, rad
+    scatter : of a node along its normal, at most, mm
+    """
     count = len(nodes)
-    pairs = cKDTree(nodes.places).query_pairs(_LINKED * pitch, output_type="ndarray")
+    pairs = cKDTree(nodes.places).query_pairs(linked, output_type="ndarray")
+    pairs = pairs[~np.any(apart[pairs], axis=1)]
     one, other = pairs[:, 0], pairs[:, 1]
-    alike = np.abs(np.einsum("ni,ni->n", nodes.normals[one], nodes.normals[other])) > np.cos(turn)
-    linked = alike & ~beside.rim[one] & ~beside.rim[other] & ~beside.parted(one, other)
+    way = nodes.places[other] - nodes.places[one]
+    # A surface that has turned by an angle on an arc has left its tangent by half of it.
+    level = scatter + np.sin(0.5 * turn) * np.linalg.norm(way, axis=1)
+    smooth = np.abs(np.einsum("ni,ni->n", nodes.normals[one], nodes.normals[other])) > np.cos(turn)
+    for row in (one, other):
+        smooth &= np.abs(np.einsum("ni,ni->n", way, nodes.normals[row])) < level
+    together = smooth & ~beside.parted(one, other)
     graph = coo_matrix(
-        (np.ones(np.count_nonzero(linked)), (one[linked], other[linked])), shape=(count, count)
+        (np.ones(np.count_nonzero(together)), (one[together], other[together])),
+        shape=(count, count),
     )
     return np.asarray(connected_components(graph, directed=False)[1])
 

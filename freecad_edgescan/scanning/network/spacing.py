@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.spatial import cKDTree
 
+from ...cloud.first_come import first_come
 from ..section import Frames
 
 __all__ = ["best_apart", "same_place"]
@@ -16,9 +17,7 @@ _SAME_WAY = np.cos(np.radians(35.0))
 def best_apart(frames: Frames, doubt: np.ndarray, along: float, aside: float) -> np.ndarray:
     """Rows of the sections that are kept when each one in turn, the least doubtful first, is taken.
 
-    Unless one at the same place was taken before. All are gone through at once: whoever is the
-    best of its neighbourhood is taken, its neighbours go, and so on (Luby 1986, A simple parallel
-    algorithm for the maximal independent set problem).
+    Unless one at the same place was taken before.
 
     Parameters
     ----------
@@ -30,21 +29,7 @@ def best_apart(frames: Frames, doubt: np.ndarray, along: float, aside: float) ->
         return np.zeros(0, dtype=np.intp)
     rank = np.empty(count, dtype=np.intp)
     rank[np.argsort(doubt, kind="stable")] = np.arange(count)
-    one, other = same_place(frames, along, aside)
-    taken, open_ = np.zeros(count, dtype=bool), np.ones(count, dtype=bool)
-    while len(one):
-        waits = np.zeros(count, dtype=bool)
-        later = rank[one] > rank[other]
-        waits[one[later]] = True
-        waits[other[~later]] = True
-        taken |= open_ & ~waits
-        gone = np.zeros(count, dtype=bool)
-        gone[one[taken[other]]] = True
-        gone[other[taken[one]]] = True
-        open_ &= ~(taken | gone)
-        still = open_[one] & open_[other]
-        one, other = one[still], other[still]
-    return np.flatnonzero(taken | open_)
+    return np.flatnonzero(first_come(rank, *same_place(frames, along, aside)))
 
 
 def same_place(frames: Frames, along: float, aside: float) -> tuple[np.ndarray, np.ndarray]:

@@ -2,31 +2,28 @@
 """From tracks to finished edges: the ends of each found, all its sections measured together.
 
 A track is led to the vertex ahead of it; where there is none, the walker goes on from its last
-section until the edge ends. Where the walk comes upon another track, the two are one edge.
+section until the edge ends. Where the walk comes upon another track, the two are one edge. When
+all have been led to their ends they are measured, which needs nothing of each other; and settled
+one after the other, so that no stretch belongs to two of them.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Iterator
 
 import numpy as np
-from scipy.spatial import cKDTree
 
-from ...cloud.point_cloud import PointCloud
 from ..automatic import Chosen
 from ..edge_ends import led_to_vertex
-from ..errors import ScanError
 from ..gait import AdaptiveGait
-from ..patch_edge import finish_edge
-from ..patch_scan import FEWEST_POINTS, check_edge
 from ..patch_section import PatchSection
-from ..report import describe
-from ..scan_lines import ScanLines
 from ..scanned_edge import ScannedEdge
-from ..section import Station
+from ..section import Frames, Station
 from ..stop import Stop
 from ..trace import Trace, turned
 from ..walker import walk
+from .cloud_workers import CloudWorkers
+from .finishing import finished, part_of_trace, parted_at_bend
 from .soundness import corners_within, sound_stretches
 from .strips import NOBODY, Strips
 from .tracks import Track
@@ -37,43 +34,75 @@ _BEYOND = 12.0  # pitches past the last section, where a vertex is looked for be
 _CAREFUL = 0.7  # edge pitches, of a step where an edge seems to end
 _FEWEST = 4  # stations that lead to a vertex
 _AHEAD = 0.7  # share of another track's sections that lie ahead where it is one edge with this one
-_SURE = 0.4  # pitches, of the median sigma of an edge that is believed without a click
 _AT_HOME = 4  # stations at a track's ends, which a walk may come near to
 _RETURNED = 1.0  # pitches from other stations, at which it has turned back
-_STANDS_OUT, _LEAST_NOISE = 11.0, 0.1  # times the noise, and pitches that it counts for at least
+_ROUNDS = ((0.0, 0.95), (0.95, 1.0))  # shares of the work; what the first one leaves is little
+_WALKING = 0.25  # of a round, before its walks are measured
 _MOSTLY = 0.8  # of an edge that evidence carries, where parting it leads nowhere
 _HELD = 0.6  # share of a track's sections that belong to another edge, from which on it is that one
 
 
 class Tracer:
-    """Finishes the tracks of a cloud one after the other.
+    """Leads the tracks of a cloud to their ends, one after the other, and has them measured.
 
     Parameters
     ----------
-    cloud : PointCloud
+    workers : who measure, with the cloud
     tracks : in order of confidence
     chosen : parameters and settings of all of them
     """
 
-    def __init__(self, cloud: PointCloud, tracks: list[Track], chosen: Chosen) -> None:
-        self.cloud, self.tracks, self.chosen = cloud, tracks, chosen
+    def __init__(self, workers: CloudWorkers, tracks: list[Track], chosen: Chosen) -> None:
+        self.workers, self.tracks, self.chosen = workers, tracks, chosen
         self.strips = Strips(chosen.settings.cloud_pitch)
         self.open = set(range(len(tracks)))
+        self.settled: set[int] = set()
+        self.yielded: dict[int, set[int]] = {}
         for number, track in enumerate(tracks):
             frames = track.sections.frames
             self.strips.take(number, frames.origin, frames.tangent)
 
-    def finish(self, number: int) -> list[ScannedEdge]:
-        """The edges of a track: mostly one; none where it belongs to another edge, or is none."""
+    def edges(self) -> Iterator[tuple[float, list[ScannedEdge]]]:
+        """The edges of each track: mostly one; none where it belongs to another edge, or is none.
+
+        Yields
+        ------
+        Share of the work that is done, and the edges that are new.
+        """
+        waiting = list(range(len(self.tracks)))
+        for begin, end in _ROUNDS:
+            traces = []
+            for done, number in enumerate(waiting):
+                yield begin + _WALKING * (end - begin) * done / len(waiting), []
+                trace = self._traced(number)
+                if trace is not None:
+                    answer = self.workers.submit(finished, (trace, self.chosen))
+                    traces.append((number, trace, answer))
+            for done, (number, trace, answer) in enumerate(traces):
+                share = _WALKING + (1.0 - _WALKING) * done / len(traces)
+                yield begin + share * (end - begin), self._settled(number, trace, answer())
+            waiting = self._set_free()
+
+    def _traced(self, number: int) -> Trace | None:
+        """The walk along a track to its ends, which takes its strip."""
         if number not in self.open:
-            return []
+            return None
         self.open.discard(number)
         track = self._unclaimed(number)
         self.strips.give_up(number)
         if track is None:
-            return []
-        edges = self._sound_edges(self._trace(number, track))
+            return None
+        trace = self._trace(number, track)
+        frames = Frames.join([station.frame for station in trace.stations])
+        self.strips.take(number, frames.origin, frames.tangent)
+        return trace
+
+    def _settled(self, number: int, trace: Trace, edge: ScannedEdge | None) -> list[ScannedEdge]:
+        """What of a finished edge stays, now that those before it are settled."""
+        self.strips.give_up(number)
+        edges = self._sound_edges(trace, edge)
         if edges:
+            self.settled.add(number)
             self.strips.take(
                 number,
                 np.concatenate([edge.points for edge in edges]),
@@ -81,40 +110,54 @@ class Tracer:
             )
         return edges
 
-    def _sound_edges(self, trace: Trace, again: int = 2) -> list[ScannedEdge]:
+    def _set_free(self) -> list[int]:
+        """Tracks that were left out for the sake of others which came to nothing."""
+        free = [
+            number
+            for number, holders in self.yielded.items()
+            if number not in self.settled and not holders & self.settled
+        ]
+        self.yielded.clear()
+        self.open.update(free)
+        for number in free:
+            frames = self.tracks[number].sections.frames
+            self.strips.take(number, frames.origin, frames.tangent)
+        return sorted(free)
+
+    def _sound_edges(
+        self, trace: Trace, edge: ScannedEdge | None, again: int = 2
+    ) -> list[ScannedEdge]:
         """The finished edge of a trace, or of those of its stretches that evidence carries."""
-        try:
-            edge = self._finished(trace)
-        except ScanError:
-            return []
-        settings = self.chosen.settings
+        settings, cloud = self.chosen.settings, self.workers.cloud
+        if edge is None:
+            parts = parted_at_bend(trace, settings.cloud_pitch) if again else []
+            return self._parts(parts, again - 1)
         holders = self.strips.holders(edge.points, edge.tangents)
-        others = np.array([holder != NOBODY and holder not in self.open for holder in holders])
-        stretches = sound_stretches(edge, self.cloud, settings.edge_pitch, others)
-        if not len(edge):
-            return []
+        others = np.isin(holders, list(self.settled))
+        stretches = sound_stretches(edge, cloud, settings.edge_pitch, others)
         if len(stretches) == 1 and len(stretches[0]) == len(edge):
             return [edge]
-        if not stretches:
-            return []
         if not again:
             whole = sum(len(stretch) for stretch in stretches) >= _MOSTLY * len(edge)
             return [edge] if whole else []
+        return self._parts([part_of_trace(trace, edge, part) for part in stretches], again - 1)
+
+    def _parts(self, traces: list[Trace], again: int) -> list[ScannedEdge]:
         edges = []
-        for stretch in stretches:
-            part = _part_of(trace, edge, stretch)
-            if len(part.stations) >= FEWEST_POINTS:
-                edges += self._sound_edges(part, again - 1)
+        for trace in traces:
+            edge = finished(self.workers.cloud, (trace, self.chosen))
+            edges += self._sound_edges(trace, edge, again)
         return edges
 
     def _unclaimed(self, number: int) -> Track | None:
         """What of a track does not belong to an edge that was finished before."""
         track = self.tracks[number]
         holders = self.strips.of_frames(track.sections.frames, but=number)
-        held = np.array([holder not in self.open and holder != NOBODY for holder in holders])
+        held = (holders != NOBODY) & ~np.isin(holders, list(self.open))
         if not held.any():
             return track
         if held.mean() >= _HELD:
+            self.yielded[number] = set(holders[held].tolist())
             return None
         runs = np.split(np.arange(len(held)), np.flatnonzero(np.diff(held.astype(int))) + 1)
         longest = max((run for run in runs if not held[run[0]]), key=len)
@@ -132,47 +175,16 @@ class Tracer:
         stations = [turned(station) for station in reversed(outward)]
         return Trace(stations, (start, start if start is Stop.CLOSED else end))
 
-    def _finished(self, trace: Trace) -> ScannedEdge:
-        if len(trace.stations) < FEWEST_POINTS:
-            raise ScanError("Too few sections of an edge follow each other.")
-        edge = finish_edge(self.cloud, trace, self.chosen)
-        check_edge(edge, self.cloud, self.chosen)
-        self._check_sure(edge)
-        return replace(edge, message=describe(edge, None))
-
-    def _check_sure(self, edge: ScannedEdge) -> None:
-        """Nobody has clicked here: an edge has to show itself.
-
-        Raises
-        ------
-        ScanError: its sides turn by less than the least angle, or it is too short for how badly
-            it is known.
-        """
-        settings = self.chosen.settings
-        if len(edge) < FEWEST_POINTS:
-            raise ScanError("Too few sections of an edge follow each other.")
-        if np.pi - np.median(edge.angle) < settings.min_angle:
-            raise ScanError("The two sides turn by less than the least angle.")
-        # A kink stands out from the smooth surface that explains it best by a share of its turn
-        # times the length of its sides; in noise, a bent surface looks like a small one.
-        if isinstance(edge.scan_lines, ScanLines):
-            length = float(np.median(edge.scan_lines.fits.ends, axis=0).min())
-            noise = max(settings.noise, _LEAST_NOISE * settings.cloud_pitch)
-            if (np.pi - np.median(edge.angle)) * length < _STANDS_OUT * noise:
-                raise ScanError("The sides are too short to tell the edge from a bent surface.")
-        if np.median(edge.sigma) > _SURE * settings.cloud_pitch:
-            raise ScanError("The edge is known too badly to tell it from a smooth surface.")
-
     def _to_the_end(self, number: int, stations: list[Station]) -> tuple[list[Station], Stop]:
         """Stations on to where the edge ends ahead."""
         settings = self.chosen.settings
         beyond, pitch = _BEYOND * settings.cloud_pitch, settings.edge_pitch
         gait = AdaptiveGait(pitch, settings.half_width, _CAREFUL * pitch)
-        section = PatchSection(self.cloud, settings)
+        section = PatchSection(self.workers.cloud, settings)
         near = _RETURNED * settings.cloud_pitch
         while True:
             if len(stations) >= _FEWEST:
-                led = led_to_vertex(self.cloud, stations, settings, beyond)
+                led = led_to_vertex(self.workers.cloud, stations, settings, beyond)
                 if led is not None:
                     return led, Stop.CORNER
 
@@ -246,22 +258,3 @@ def _onward(last: Station, stations: list[Station]) -> list[Station]:
         same = float(station.frame.tangent[0] @ before.tangent[0]) > 0.0
         kept.append(station if same else turned(station))
     return kept
-
-
-def _part_of(trace: Trace, edge: ScannedEdge, stretch: np.ndarray) -> Trace:
-    """The stations of a walk that stand on a stretch of its edge."""
-    places = np.array([station.frame.origin[0] for station in trace.stations])
-    nearest = cKDTree(edge.points).query(places)[1]
-    within = np.isin(nearest, stretch)
-    stations = [trace.stations[row] for row in np.flatnonzero(within)]
-    if trace.closed and len(within) and within[0] and within[-1] and not within.all():
-        # It leads over the end of the closed walk.
-        first = int(np.flatnonzero(~within)[-1]) + 1
-        order = np.roll(np.arange(len(within)), -first)
-        stations = [trace.stations[row] for row in order if within[row]]
-    whole = 0 in stretch, len(edge) - 1 in stretch
-    start, end = (
-        stop if reaches and not trace.closed else Stop.CORNER
-        for stop, reaches in zip(trace.stops, whole, strict=True)
-    )
-    return Trace(stations, (start, end))

@@ -12,8 +12,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ...geometry.frames import turned_along
+from ..measured_sections import MeasuredSections
 from ..section import Frames, Station, frames_from_sides
-from ..sections import Sections
 from .chains import Chain
 from .soundness import corners_within
 
@@ -32,7 +32,7 @@ class Track:
     closed : whether the last one is followed by the first
     """
 
-    sections: Sections
+    sections: MeasuredSections
     closed: bool
 
     def __len__(self) -> int:
@@ -54,7 +54,7 @@ class Track:
         ]
 
 
-def track_of(sections: Sections, chain: Chain) -> Track:
+def track_of(sections: MeasuredSections, chain: Chain) -> Track:
     """The track of a chain."""
     own = sections[chain.rows]
     frames = own.frames
@@ -104,7 +104,7 @@ def reversed_track(track: Track) -> Track:
 
 def join_tracks(parts: list[Track], closed: bool = False) -> Track:
     """Tracks behind each other, the sides of each as those of the one before."""
-    sections = Sections.join([part.sections for part in parts])
+    sections = MeasuredSections.join([part.sections for part in parts])
     count = len(sections)
     chain = Chain(np.arange(count), np.ones(count, dtype=bool), closed)
     return track_of(sections, chain)
@@ -121,7 +121,7 @@ def _crossed(sides: np.ndarray, tangent: np.ndarray) -> np.ndarray:
     return np.asarray(np.cumsum(changes) % 2 == 1)
 
 
-def _steadied(sections: Sections, closed: bool) -> Track:
+def _steadied(sections: MeasuredSections, closed: bool) -> Track:
     """The track with tangents and bends as the places of the neighbouring sections tell them."""
     frames, count = sections.frames, len(sections)
     if count < 3:

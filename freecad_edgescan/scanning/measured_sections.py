@@ -11,13 +11,13 @@ import numpy as np
 from .section import Frames, Station
 from .stop import Stop
 
-__all__ = ["Sections"]
+__all__ = ["MeasuredSections"]
 
 _ARRAYS = ("sigma", "noise", "begins", "ends", "cover", "stops", "reach")
 
 
 @dataclass(frozen=True)
-class Sections:
+class MeasuredSections:
     """Measured sections, m of them.
 
     Attributes
@@ -41,37 +41,37 @@ class Sections:
     reach: np.ndarray
 
     @staticmethod
-    def unmeasured(frames: Frames, stops: np.ndarray | Stop, reach: float) -> Sections:
+    def unmeasured(frames: Frames, stops: np.ndarray | Stop, reach: float) -> MeasuredSections:
         """Sections at which nothing could be measured, and why: (m,) or one reason for all."""
         count = len(frames)
         unknown, reasons = np.full(count, np.nan), np.empty(count, dtype=object)
         reasons[:] = stops
         nowhere, reaches = np.full((count, 2), np.nan), np.full(count, reach)
-        return Sections(
+        return MeasuredSections(
             frames, unknown, unknown, nowhere, nowhere, np.zeros(count), reasons, reaches
         )
 
     def __len__(self) -> int:
         return len(self.sigma)
 
-    def __getitem__(self, part: np.ndarray) -> Sections:
+    def __getitem__(self, part: np.ndarray) -> MeasuredSections:
         """Return some of them."""
-        return Sections(self.frames[part], *(getattr(self, name)[part] for name in _ARRAYS))
+        return MeasuredSections(self.frames[part], *(getattr(self, name)[part] for name in _ARRAYS))
 
     @staticmethod
-    def join(parts: Sequence[Sections]) -> Sections:
+    def join(parts: Sequence[MeasuredSections]) -> MeasuredSections:
         """Put sections behind each other."""
-        return Sections(
+        return MeasuredSections(
             Frames.join([part.frames for part in parts]),
             *(np.concatenate([getattr(part, name) for part in parts]) for name in _ARRAYS),
         )
 
-    def replaced(self, rows: np.ndarray, others: Sections) -> Sections:
+    def replaced(self, rows: np.ndarray, others: MeasuredSections) -> MeasuredSections:
         """These sections, with others (k) instead of some rows: (k,) indices."""
         arrays = [getattr(self, name).copy() for name in _ARRAYS]
         for name, array in zip(_ARRAYS, arrays, strict=True):
             array[rows] = getattr(others, name)
-        return Sections(self.frames.replaced(rows, others.frames), *arrays)
+        return MeasuredSections(self.frames.replaced(rows, others.frames), *arrays)
 
     @property
     def found(self) -> np.ndarray:
