@@ -26,7 +26,7 @@ V = FreeCAD.Vector
 RADIUS, WIDTH, LENGTH = 8.0, 75.0, 60.0
 STEPS = (
     *("try-it", "import", "cloud", "scan-edge", "preview"),
-    *("edge", "boundary", "section", "sweep", "deviation"),
+    *("edge", "boundary", "section", "sweep", "deviation", "all-edges"),
 )
 
 
@@ -88,6 +88,17 @@ def main() -> None:
     say(f"Deviation: {shown.Average.UserString} on average of {shown.PointCount} points.")
     select(shown)
     picture("deviation")
+
+    for item in doc.Objects:
+        item.ViewObject.Visibility = item is cloud
+    select(cloud)
+    Gui.runCommand("EdgeScan_ScanAllEdges")
+    settle(0.5)
+    wait_until(lambda: button("Ok").isEnabled(), 120.0)
+    click(doc, (30.0, 0.0, 0.0))
+    picture("all-edges")
+    button("Cancel").click()
+    settle(0.5)
     FreeCAD.closeDocument(doc.Name)
 
 

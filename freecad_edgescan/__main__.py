@@ -15,8 +15,8 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.command_options import read_options
-from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
 
@@ -90,7 +90,7 @@ def _info(options: argparse.Namespace) -> int:
         check_output(options.picture, PICTURES, options.file)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the table below counts what was dropped
-        cloud = read_in_mm(options.file, options.unit)
+        cloud = cloud_of(options)
     if options.picture:  # before anything is printed: its reader may go away
         from freecad_edgescan.experiments import draw_cloud
 
@@ -112,38 +112,9 @@ def _info(options: argparse.Namespace) -> int:
 
 
 def _bench(options: argparse.Namespace) -> int:
-    if options.parts is not None:
-        from freecad_edgescan.bench_command import bench_parts
+    from freecad_edgescan.bench_command import bench
 
-        return bench_parts(options)
-    if options.fillet or options.peers:
-        raise ValueError("--fillet and --peers belong to --parts; give it, or leave them out.")
-    from freecad_edgescan.experiments import measure_speed
-
-    with TerminalProgress("bench") as progress:
-        speed = measure_speed(options.points, progress)
-    if speed is None:
-        return exit_code(progress, found=False)
-    print(f"cloud              {speed.points} points")
-    for ending, seconds in speed.reading.items():
-        ratio = seconds / speed.bare_indexing
-        print(
-            f"reading {ending}       {speed.per_million(seconds):.2f} s per million points "
-            f"({ratio:.1f} x SciPy's bare KD-tree)"
-        )
-    print(
-        f"indexing           {speed.per_million(speed.indexing):.2f} s per million points "
-        f"({speed.indexing_ratio:.2f} x SciPy's bare KD-tree, "
-        f"{speed.per_million(speed.bare_indexing):.2f} s)"
-    )
-    print(
-        f"scanning           {speed.edge_points_per_second:.0f} edge points per second "
-        f"({speed.edge_points} in {speed.scanning:.2f} s, {speed.slab_points:.0f} cloud points for "
-        f"each, mean error {speed.mean_error:.4f} mm)\n"
-        f"                   {100 * speed.in_tree:.0f} % of its time in queries of the KD-tree, "
-        f"{100 * speed.in_fits:.0f} % in fits and intersections"
-    )
-    return 0
+    return bench(options)
 
 
 def _accuracy(options: argparse.Namespace) -> int:

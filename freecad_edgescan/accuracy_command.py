@@ -135,7 +135,12 @@ def _under_fillets(report: Any, options: argparse.Namespace) -> str:
 
 
 def _wedges(options: argparse.Namespace) -> int:
-    from freecad_edgescan.experiments.wedge_search import search, wedge_table
+    from freecad_edgescan.experiments.wedge_search import (
+        by_chance,
+        scanned_again,
+        search,
+        wedge_table,
+    )
 
     others = ("parts", "peers", "fillet", "seeds", "report")
     for given, word in ((getattr(options, name), name) for name in others):
@@ -146,6 +151,11 @@ def _wedges(options: argparse.Namespace) -> int:
     with TerminalProgress("wedges") as progress:
         found = search(options.wedges, not options.sharp, 100_000 * options.seed, progress=progress)
     print(wedge_table(found))
+    wrong = [judged for judged in found if judged.wrong]
+    if wrong and len(found) == options.wedges:
+        with TerminalProgress("again") as progress:
+            again = scanned_again(wrong, not options.sharp, progress=progress)
+        print(by_chance(again))
     return exit_code(progress, bool(found))
 
 

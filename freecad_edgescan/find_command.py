@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from freecad_edgescan.file_unit import read_in_mm
+from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.scanning import EdgeNetwork, Stop, find_edges
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code
@@ -26,14 +26,9 @@ def find_in_file(options: argparse.Namespace) -> int:
         check_output(options.csv, (".csv",), options.file)
     if options.picture:
         check_output(options.picture, PICTURES, options.file)
-    if (options.low is None) != (options.high is None):
-        raise ValueError("--low and --high are two corners of one box; give both.")
-    region = None if options.low is None else (options.low, options.high)
-    cloud = read_in_mm(options.file, options.unit)
+    cloud = cloud_of(options)
     with TerminalProgress("edges") as progress:
-        network = find_edges(
-            cloud, math.radians(options.min_angle), options.min_length, progress, region
-        )
+        network = find_edges(cloud, math.radians(options.min_angle), options.min_length, progress)
     written: list[Path] = []
     try:
         if len(network):

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import argparse
 
-from freecad_edgescan.command_options import given_parameters
-from freecad_edgescan.file_unit import read_in_mm
+from freecad_edgescan.cloud_file import cloud_of
+from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import ScanError, ScanParameters, recommend_parameters
 
 __all__ = ["recommend_for_file"]
@@ -20,7 +20,7 @@ def recommend_for_file(options: argparse.Namespace) -> int:
             "edgescan info FILE --picture FILE.png shows where edges are."
         )
     parameters = ScanParameters(**given_parameters(options))
-    cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
+    cloud = cloud_of(options)
     texts = [
         recommend_parameters(cloud, at, parameters, options.method).text() for at in options.at
     ]

@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from freecad_edgescan.cloud import PointCloud
-from freecad_edgescan.command_options import given_parameters
+from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.edge_table import edge_table
-from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.output_files import PICTURES, check_not_the_scan, check_output
+from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import (
     Gate,
     ScannedEdge,
@@ -33,7 +33,7 @@ def scan_file(options: argparse.Namespace) -> int:
     targets = _targets(options)
     _check_outputs(options, len(targets))
     parameters = ScanParameters(**given_parameters(options))
-    cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
+    cloud = cloud_of(options)
     if options.inside is None:
         edges, code = _scan_targets(cloud, targets, parameters, options.method)
     else:

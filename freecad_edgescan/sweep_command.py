@@ -10,8 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from freecad_edgescan.cloud import PointCloud, compensate_cloud
+from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.edge_table import edge_table
-from freecad_edgescan.file_unit import read_in_mm
 from freecad_edgescan.geometry import BSplineCurve, BSplineSurface
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.scanning import scan_edge
@@ -36,7 +36,7 @@ _TOLERANCE = 0.02  # of the cloud's pitch: of the surface against the sweep
 def sweep_file(options: argparse.Namespace) -> int:
     """Scan rails and profiles, sweep, fit where there are two rails, write, print."""
     _check(options)
-    cloud = read_in_mm(options.file, options.unit, options.probe_radius, options.approach)
+    cloud = cloud_of(options)
     with TerminalProgress("sweep") as progress:
         clicks = [*options.rail, *options.profile]
         edges = {k: scan_edge(cloud, at, progress=progress) for k, at in enumerate(clicks, 1)}

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -14,6 +16,8 @@ import pytest
 
 import freecad_edgescan.scan_command as scan_command
 from freecad_edgescan.__main__ import main
+from freecad_edgescan.experiments import cloud_sizes
+from freecad_edgescan.experiments.cloud_sizes import SizeCost
 from freecad_edgescan.terminal_progress import TerminalProgress
 
 CHECKOUT = Path(__file__).resolve().parents[1]
@@ -191,6 +195,68 @@ def test_a_cloud_in_another_unit_is_read_in_mm(
     said = capsys.readouterr()
     assert float(said.out.splitlines()[2].split()[2]) == pytest.approx(40, abs=2 * PITCH)
     assert said.err == ""
+
+
+def test_only_a_region_of_the_cloud_is_read(capsys, roof_file: Path) -> None:
+    """Its corners may be negative, and stand where they like among the words."""
+    region = ["--region", "-5,-5,-50", "-1.5e0,5,50"]
+    for words in (["info", *region, str(roof_file)], ["info", str(roof_file), *region]):
+        assert main(words) == 0
+        rows = capsys.readouterr().out.splitlines()
+        low, high = (float(rows[2].split()[column]) for column in (1, 3))
+        assert -5.0 <= low < -4.0
+        assert -2.5 < high <= -1.5
+
+
+@pytest.mark.parametrize("command", ["info", "find", "scan --at 0,0,0", "recommend --at 0,0,0"])
+def test_a_region_beside_the_cloud_is_one_sentence_with_the_clouds_box(
+    capsys, roof_file: Path, command: str
+) -> None:
+    words = [*command.split(), "--region", "900,900,900", "901,901,901", str(roof_file)]
+    assert main(words) == 2
+    assert re.fullmatch(
+        r"edgescan: No point of .*, which reaches from \(.*\) to \(.*\), lies in the region "
+        r"\(900, 900, 900\) to \(901, 901, 901\)\. Take a region that overlaps the cloud\.\n",
+        capsys.readouterr().err,
+    )
+
+
+@pytest.mark.parametrize(
+    ("region", "said"),
+    [
+        (["1,1,1", "0,0,0"], "is no box"),
+        (["1,1,1"], "expected 2 arguments"),
+        (["1,1", "-2,2,2"], "'1,1' is not three numbers"),
+        (["1,1,1", "-2,x,2"], "expected 2 arguments"),
+    ],
+)
+def test_what_is_no_region_is_said(capsys, roof_file: Path, region: list[str], said: str) -> None:
+    try:
+        code = main(["info", str(roof_file), "--region", *region])
+    except SystemExit as stopped:
+        code = stopped.code
+    assert code == 2
+    assert said in capsys.readouterr().err
+
+
+def test_what_does_not_go_together_in_bench_is_said(capsys) -> None:
+    assert main(["bench", "--sizes", "--parts"]) == 2
+    assert "give one at a time" in capsys.readouterr().err
+    assert main(["bench", "--sizes", "7"]) == 2
+    assert "take 20000 or more" in capsys.readouterr().err
+
+
+def test_bench_prints_a_row_for_every_size_and_the_slope(
+    capsys, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cost = SizeCost(100_000, 10**6, 0.1, 10**7, 0.2, 0.1, 0.1, 0.5, 0.1, 1.1, 10**7, 400, 0.002)
+    larger = dataclasses.replace(cost, points=1_000_000, scanning=0.8)
+    monkeypatch.setattr(cloud_sizes, "measure_sizes", lambda *_: iter([cost, larger]))
+    assert main(["bench", "--sizes"]) == 0
+    *_, small, large, said = capsys.readouterr().out.splitlines()
+    assert [small, large] == [cost.text(), larger.text()]
+    assert "10 times as many" in said
+    assert said.endswith("factor 1.60: slope 0.204.")  # lg 1.6
 
 
 def test_a_cloud_that_looks_like_metres_is_remarked_on(capsys, tmp_path: Path) -> None:

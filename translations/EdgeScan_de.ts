@@ -12,8 +12,24 @@
       <translation>Eine Stelle nahe einer der Kanten</translation>
     </message>
     <message>
+      <source>A place on the face between the network's edges</source>
+      <translation>Eine Stelle auf der Fläche zwischen den Kanten des Netzes</translation>
+    </message>
+    <message>
       <source>A place on the face, beside that edge</source>
       <translation>Eine Stelle auf der Fläche, neben dieser Kante</translation>
+    </message>
+    <message>
+      <source>A point on each edge that is kept all the same</source>
+      <translation>Ein Punkt auf jeder Kante, die trotzdem behalten wird</translation>
+    </message>
+    <message>
+      <source>A point on each edge that is left out by hand</source>
+      <translation>Ein Punkt auf jeder Kante, die von Hand weggelassen wird</translation>
+    </message>
+    <message>
+      <source>A point on each of the edges, in any order</source>
+      <translation>Ein Punkt auf jeder der Kanten, in beliebiger Reihenfolge</translation>
     </message>
     <message>
       <source>A surface or any other shape with faces</source>
@@ -174,6 +190,10 @@
     <message>
       <source>File the cloud was read from</source>
       <translation>Datei, aus der die Punktwolke gelesen wurde</translation>
+    </message>
+    <message>
+      <source>From its beginning to its end</source>
+      <translation>Von seinem Anfang bis zu seinem Ende</translation>
     </message>
     <message>
       <source>How a probed scan finds the direction of the edge</source>
@@ -528,8 +548,8 @@
       <translation>Verwendete Lenkung</translation>
     </message>
     <message>
-      <source>Surface near the points, such as a swept surface</source>
-      <translation>Fläche nahe den Punkten, etwa eine Sweep-Fläche</translation>
+      <source>Surface near the points, or a network of edges</source>
+      <translation>Fläche nahe den Punkten, oder ein Kantennetz</translation>
     </message>
     <message>
       <source>Surface near the points; it gives the fit its rim</source>
@@ -596,6 +616,10 @@
       <translation>Derselbe Startwert gibt dieselbe Punktwolke</translation>
     </message>
     <message>
+      <source>The search ends when it has found so many; 0: all</source>
+      <translation>Die Suche endet, wenn sie so viele gefunden hat; 0: alle</translation>
+    </message>
+    <message>
       <source>The surface that is extended: one face</source>
       <translation>Die Fläche, die verlängert wird: eine einzelne</translation>
     </message>
@@ -622,6 +646,10 @@
     <message>
       <source>What happened, and what to try</source>
       <translation>Was geschah, und was man versuchen kann</translation>
+    </message>
+    <message>
+      <source>What holds the edges, such as an edge network</source>
+      <translation>Was die Kanten enthält, etwa ein Kantennetz</translation>
     </message>
     <message>
       <source>What is fitted to the points</source>
@@ -670,6 +698,10 @@
     <message>
       <source>Whether an extrusion or revolution, as Kinds says, is made as a surface of this kind</source>
       <translation>Ob eine Extrusion oder ein Rotationskörper, wie Kinds sagt, als Fläche dieser Art erzeugt wird</translation>
+    </message>
+    <message>
+      <source>Whether it ends where it begins</source>
+      <translation>Ob er dort endet, wo er beginnt</translation>
     </message>
     <message>
       <source>Whether material fills the smaller wedge: yes, no or unknown</source>
@@ -851,6 +883,10 @@
       <translation>Nahe der Kante klicken, wo die Abtastung enden soll. OK behält sie ganz.</translation>
     </message>
     <message>
+      <source>Click on an edge to drop or keep it. OK keeps those in orange.</source>
+      <translation>Klicken Sie auf eine Kante, um sie wegzulassen oder zu behalten. OK behält die orangefarbenen.</translation>
+    </message>
+    <message>
       <source>Click on the cloud near a rim of the pipe: the edge is followed both ways until it ends. Then OK keeps it; Undo takes it away again.</source>
       <translation>Nahe einem Rand der Rinne auf die Punktwolke klicken: Die Kante wird in beide Richtungen verfolgt, bis sie endet. OK behält sie; Rückgängig nimmt sie wieder weg.</translation>
     </message>
@@ -865,6 +901,10 @@
     <message>
       <source>Click on the cloud, near the edge you want.</source>
       <translation>Auf die Punktwolke klicken, nahe der gewünschten Kante.</translation>
+    </message>
+    <message>
+      <source>Click on the face whose points you want, between the edges.</source>
+      <translation>Klicken Sie auf die Fläche zwischen den Kanten, deren Punkte Sie möchten.</translation>
     </message>
     <message>
       <source>Click to see the section there. Arrows: along the edge</source>
@@ -935,6 +975,10 @@
       <translation>Abstand der Punkte auf einer Abtastlinie</translation>
     </message>
     <message>
+      <source>Edge of {length}, turn {turn}, sigma {sigma}</source>
+      <translation>Kante von {length}, Knick {turn}, Sigma {sigma}</translation>
+    </message>
+    <message>
       <source>Edge pitch</source>
       <translation>Kantenpunktabstand</translation>
     </message>
@@ -959,6 +1003,22 @@
       <translation>Kanten und Flächen</translation>
     </message>
     <message>
+      <source>Edges known worse are left out: the median of sigma along them counts</source>
+      <translation>Weniger genau bekannte Kanten werden weggelassen: es zählt der Median von Sigma entlang der Kante</translation>
+    </message>
+    <message>
+      <source>Edges of {count} objects are selected. Select edges of one network in the 3D view, the others with Ctrl held.</source>
+      <translation>Kanten von {count} Objekten sind ausgewählt. Wählen Sie Kanten eines Netzes in der 3D-Ansicht, die weiteren mit gedrückter Strg-Taste.</translation>
+    </message>
+    <message>
+      <source>Edges whose sides turn less are left out: 90° at the edge of a box</source>
+      <translation>Kanten, deren Seiten weniger abknicken, werden weggelassen: 90° an der Kante eines Quaders</translation>
+    </message>
+    <message>
+      <source>Edit network of edges</source>
+      <translation>Kantennetz bearbeiten</translation>
+    </message>
+    <message>
       <source>Edit scanned edge</source>
       <translation>Abgetastete Kante bearbeiten</translation>
     </message>
@@ -969,6 +1029,10 @@
     <message>
       <source>End the scan and keep the edge as far as it is known</source>
       <translation>Die Abtastung beenden und die Kante behalten, soweit sie bekannt ist</translation>
+    </message>
+    <message>
+      <source>End the search and keep the edges found so far</source>
+      <translation>Die Suche beenden und die bisher gefundenen Kanten behalten</translation>
     </message>
     <message>
       <source>Error to expect</source>
@@ -983,6 +1047,14 @@
       <translation>Zuerst das offene Aufgabenfenster abschließen oder abbrechen.</translation>
     </message>
     <message>
+      <source>Forget clicks</source>
+      <translation>Klicks vergessen</translation>
+    </message>
+    <message>
+      <source>Forget clicks ({count})</source>
+      <translation>Klicks vergessen ({count})</translation>
+    </message>
+    <message>
       <source>Gate, 1 of 2: click beside the edge on the same side. OK needs no gate.</source>
       <translation>Ziel, 1 von 2: Auf derselben Seite neben die Kante klicken. OK geht auch ohne Ziel.</translation>
     </message>
@@ -993,6 +1065,10 @@
     <message>
       <source>Go along the edge</source>
       <translation>Die Kante entlanggehen</translation>
+    </message>
+    <message>
+      <source>Group of edges</source>
+      <translation>Gruppe von Kanten</translation>
     </message>
     <message>
       <source>Hide the points before and behind the section that is looked at</source>
@@ -1031,20 +1107,40 @@
       <translation>Zoll</translation>
     </message>
     <message>
+      <source>Keep edges</source>
+      <translation>Kanten behalten</translation>
+    </message>
+    <message>
       <source>Kept as far as it was scanned: a gate ends it there now.</source>
       <translation>Behalten, soweit abgetastet: Ein Ziel beendet die Kante jetzt dort.</translation>
+    </message>
+    <message>
+      <source>Kept. Click to drop it.</source>
+      <translation>Behalten. Ein Klick lässt sie weg.</translation>
     </message>
     <message>
       <source>Largest deviation of the chord between two edge points from the edge</source>
       <translation>Größte Abweichung der Sehne zwischen zwei Kantenpunkten von der Kante</translation>
     </message>
     <message>
+      <source>Left out. Click to keep it.</source>
+      <translation>Weggelassen. Ein Klick behält sie.</translation>
+    </message>
+    <message>
       <source>Length</source>
       <translation>Länge</translation>
     </message>
     <message>
+      <source>Length from</source>
+      <translation>Länge ab</translation>
+    </message>
+    <message>
       <source>Length of a scan line along the surface, half of it on each side</source>
       <translation>Länge einer Abtastlinie entlang der Oberfläche, zur Hälfte auf jeder Seite</translation>
+    </message>
+    <message>
+      <source>Let length, turn and sigma alone decide again</source>
+      <translation>Wieder allein Länge, Knick und Sigma entscheiden lassen</translation>
     </message>
     <message>
       <source>Line by line (probe)</source>
@@ -1089,6 +1185,10 @@ wird gesucht …</translation>
       <translation>Rauschen</translation>
     </message>
     <message>
+      <source>None of these edges can be scanned by itself.</source>
+      <translation>Keine dieser Kanten lässt sich für sich allein abtasten.</translation>
+    </message>
+    <message>
       <source>Nothing with a shape is selected or shown. Select scanned edges or surfaces.</source>
       <translation>Nichts, was eine Form hat, ist ausgewählt oder eingeblendet. Abgetastete Kanten oder Flächen auswählen.</translation>
     </message>
@@ -1099,6 +1199,10 @@ wird gesucht …</translation>
     <message>
       <source>OK keeps this. Click elsewhere to begin again.</source>
       <translation>OK behält dies. Anderswo klicken, um neu zu beginnen.</translation>
+    </message>
+    <message>
+      <source>OK makes</source>
+      <translation>OK erzeugt</translation>
     </message>
     <message>
       <source>OK scans this edge with these parameters, line by line. Click elsewhere to measure there instead.</source>
@@ -1115,6 +1219,14 @@ wird gesucht …</translation>
     <message>
       <source>One click: the whole edge</source>
       <translation>Ein Klick: die ganze Kante</translation>
+    </message>
+    <message>
+      <source>One network</source>
+      <translation>Ein Netz</translation>
+    </message>
+    <message>
+      <source>One object whose edges share their corners, or one for each edge that can be edited by itself</source>
+      <translation>Ein Objekt, dessen Kanten sich ihre Ecken teilen, oder eines je Kante, das für sich bearbeitet werden kann</translation>
     </message>
     <message>
       <source>One point for each pitch² of surface.</source>
@@ -1221,6 +1333,10 @@ wird gesucht …</translation>
       <translation>Abweichungen speichern…</translation>
     </message>
     <message>
+      <source>Scan all edges</source>
+      <translation>Alle Kanten abtasten</translation>
+    </message>
+    <message>
       <source>Scan boundary</source>
       <translation>Umrandung abtasten</translation>
     </message>
@@ -1237,12 +1353,24 @@ wird gesucht …</translation>
       <translation>Abtasttoleranz eines Linienschnitts</translation>
     </message>
     <message>
+      <source>Search again</source>
+      <translation>Noch einmal suchen</translation>
+    </message>
+    <message>
       <source>Search distance</source>
       <translation>Suchabstand</translation>
     </message>
     <message>
+      <source>Search the whole cloud, also for what is still missing</source>
+      <translation>Die ganze Punktwolke absuchen, auch nach dem, was noch fehlt</translation>
+    </message>
+    <message>
       <source>Section</source>
       <translation>Schnitt</translation>
+    </message>
+    <message>
+      <source>Shorter edges are left out; 0: shorter than eight times the cloud's pitch</source>
+      <translation>Kürzere Kanten werden weggelassen; 0: kürzer als der achtfache Punktabstand der Punktwolke</translation>
     </message>
     <message>
       <source>Show scan lines</source>
@@ -1259,6 +1387,10 @@ wird gesucht …</translation>
     <message>
       <source>Sigma is the standard deviation of an edge point across the edge: about two of three lie within it. A good edge's is well below the distance of the points.</source>
       <translation>Sigma ist die Standardabweichung eines Kantenpunkts quer zur Kante: etwa zwei von drei liegen innerhalb. Bei einer guten Kante ist es deutlich kleiner als der Abstand der Punkte.</translation>
+    </message>
+    <message>
+      <source>Sigma up to</source>
+      <translation>Sigma bis</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge</source>
@@ -1293,8 +1425,16 @@ wird gesucht …</translation>
       <translation>Hier anhalten</translation>
     </message>
     <message>
+      <source>Stopped before an edge was found.</source>
+      <translation>Angehalten, bevor eine Kante gefunden wurde.</translation>
+    </message>
+    <message>
       <source>Stopped before there was enough of the edge to keep.</source>
       <translation>Angehalten, bevor genug von der Kante da war, um sie zu behalten.</translation>
+    </message>
+    <message>
+      <source>Stopped: OK keeps the edges found so far.</source>
+      <translation>Angehalten: OK behält die bisher gefundenen Kanten.</translation>
     </message>
     <message>
       <source>Stopping…</source>
@@ -1341,12 +1481,28 @@ wird gesucht …</translation>
       <translation>Die Punktwolke wird vorbereitet; der Klick wird danach beantwortet.</translation>
     </message>
     <message>
+      <source>The cloud is searched. Click on an edge to drop it.</source>
+      <translation>Die Punktwolke wird abgesucht. Ein Klick auf eine Kante lässt sie weg.</translation>
+    </message>
+    <message>
+      <source>The cloud of {label} is gone. Choose another one in its property Cloud, or undo the deletion.</source>
+      <translation>Die Punktwolke von {label} gibt es nicht mehr. Wählen Sie eine andere in der Eigenschaft Cloud, oder machen Sie das Löschen rückgängig.</translation>
+    </message>
+    <message>
       <source>The cloud was deleted.</source>
       <translation>Die Punktwolke wurde gelöscht.</translation>
     </message>
     <message>
+      <source>The cloud was deleted. Undo that, or press Cancel.</source>
+      <translation>Die Punktwolke wurde gelöscht. Machen Sie das rückgängig, oder brechen Sie ab.</translation>
+    </message>
+    <message>
       <source>The edge is being followed.</source>
       <translation>Die Kante wird verfolgt.</translation>
+    </message>
+    <message>
+      <source>The face has {count} of the {whole} points.</source>
+      <translation>Die Fläche hat {count} der {whole} Punkte.</translation>
     </message>
     <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
@@ -1357,8 +1513,16 @@ wird gesucht …</translation>
       <translation>Hier erscheint der Schnitt quer zur Kante.</translation>
     </message>
     <message>
+      <source>There is no edge.</source>
+      <translation>Dort ist keine Kante.</translation>
+    </message>
+    <message>
       <source>There is no point of a visible cloud there.</source>
       <translation>Dort ist kein Punkt einer sichtbaren Punktwolke.</translation>
+    </message>
+    <message>
+      <source>These edges are not those of {label}.</source>
+      <translation>Diese Kanten sind nicht die von {label}.</translation>
     </message>
     <message>
       <source>Thin cloud</source>
@@ -1395,6 +1559,10 @@ wird gesucht …</translation>
     <message>
       <source>Try it</source>
       <translation>Ausprobieren</translation>
+    </message>
+    <message>
+      <source>Turn from</source>
+      <translation>Knick ab</translation>
     </message>
     <message>
       <source>Turn the view so that the section is seen as it is drawn</source>
@@ -1623,6 +1791,10 @@ wird gesucht …</translation>
       <translation>{edges} Kanten und keine Fläche sind ausgewählt. Die Flächen einer Schale auswählen, und die Kanten, an denen sie enden.</translation>
     </message>
     <message>
+      <source>{kept} of {found} edges are kept, {length} in all.</source>
+      <translation>{kept} von {found} Kanten werden behalten, zusammen {length}.</translation>
+    </message>
+    <message>
       <source>{label} could not be computed: {reason}</source>
       <translation>{label} konnte nicht berechnet werden: {reason}</translation>
     </message>
@@ -1728,12 +1900,12 @@ wird gesucht …</translation>
       <translation>Punktwolke segmentieren</translation>
     </message>
     <message>
-      <source>Select a cloud and a surface</source>
-      <translation>Eine Punktwolke und eine Fläche auswählen</translation>
+      <source>Select a cloud and a surface, or a network of edges</source>
+      <translation>Punktwolke und Fläche wählen, oder ein Kantennetz</translation>
     </message>
     <message>
-      <source>Take the points near a surface as a cloud of their own. Select the cloud and the surface.</source>
-      <translation>Die Punkte nahe einer Fläche als eigene Punktwolke nehmen. Die Punktwolke und die Fläche auswählen.</translation>
+      <source>Take the points near a surface, or of one face between edges, as a cloud of their own. Select the cloud and the surface; or a network of edges, then click on the face.</source>
+      <translation>Die Punkte nahe einer Fläche, oder die einer Fläche zwischen Kanten, als eigene Punktwolke nehmen. Wählen Sie die Punktwolke und die Fläche; oder ein Kantennetz, und klicken Sie dann auf die Fläche.</translation>
     </message>
   </context>
   <context>
@@ -1764,6 +1936,21 @@ wird gesucht …</translation>
     <message>
       <source>Show in colours how far a cloud is from a surface or part. Select the cloud and the surface or part.</source>
       <translation>In Farben zeigen, wie weit eine Punktwolke von einer Fläche oder einem Teil entfernt ist. Die Punktwolke und die Fläche oder das Teil auswählen.</translation>
+    </message>
+  </context>
+  <context>
+    <name>EdgeScan_EdgeWire</name>
+    <message>
+      <source>Join edges that follow each other to a wire, for sweeps, lofts and sketches. Select the edges of a network in the 3D view, the others with Ctrl held.</source>
+      <translation>Aufeinander folgende Kanten zu einem Linienzug verbinden, für Sweeps, Lofts und Skizzen. Wählen Sie die Kanten eines Netzes in der 3D-Ansicht, die weiteren mit gedrückter Strg-Taste.</translation>
+    </message>
+    <message>
+      <source>Select edges of a network, from corner to corner</source>
+      <translation>Kanten eines Netzes wählen, von Ecke zu Ecke</translation>
+    </message>
+    <message>
+      <source>Wire of edges</source>
+      <translation>Linienzug aus Kanten</translation>
     </message>
   </context>
   <context>
@@ -1884,6 +2071,21 @@ wird gesucht …</translation>
     <message>
       <source>Writes a page about this document</source>
       <translation>Schreibt eine Seite über dieses Dokument</translation>
+    </message>
+  </context>
+  <context>
+    <name>EdgeScan_ScanAllEdges</name>
+    <message>
+      <source>Find all edges of a cloud and where they meet, and choose which to keep. Select the cloud; when only one is shown nothing needs to be selected.</source>
+      <translation>Alle Kanten einer Punktwolke finden und wo sie sich treffen, und wählen, welche bleiben. Wählen Sie die Punktwolke aus; wenn nur eine zu sehen ist, muss nichts ausgewählt werden.</translation>
+    </message>
+    <message>
+      <source>Scan all edges</source>
+      <translation>Alle Kanten abtasten</translation>
+    </message>
+    <message>
+      <source>Select a cloud, unless only one is shown</source>
+      <translation>Eine Punktwolke wählen, außer wenn nur eine zu sehen ist</translation>
     </message>
   </context>
   <context>

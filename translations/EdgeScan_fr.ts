@@ -12,8 +12,24 @@
       <translation>Un endroit près de l'une des arêtes</translation>
     </message>
     <message>
+      <source>A place on the face between the network's edges</source>
+      <translation>Un endroit sur la face entre les arêtes du réseau</translation>
+    </message>
+    <message>
       <source>A place on the face, beside that edge</source>
       <translation>Un endroit sur la face, à côté de cette arête</translation>
+    </message>
+    <message>
+      <source>A point on each edge that is kept all the same</source>
+      <translation>Un point sur chaque arête gardée malgré tout</translation>
+    </message>
+    <message>
+      <source>A point on each edge that is left out by hand</source>
+      <translation>Un point sur chaque arête écartée à la main</translation>
+    </message>
+    <message>
+      <source>A point on each of the edges, in any order</source>
+      <translation>Un point sur chacune des arêtes, dans un ordre quelconque</translation>
     </message>
     <message>
       <source>A surface or any other shape with faces</source>
@@ -174,6 +190,10 @@
     <message>
       <source>File the cloud was read from</source>
       <translation>Fichier d'où le nuage a été lu</translation>
+    </message>
+    <message>
+      <source>From its beginning to its end</source>
+      <translation>De son début à sa fin</translation>
     </message>
     <message>
       <source>How a probed scan finds the direction of the edge</source>
@@ -528,8 +548,8 @@
       <translation>Guidage utilisé</translation>
     </message>
     <message>
-      <source>Surface near the points, such as a swept surface</source>
-      <translation>Surface près des points, par exemple une surface balayée</translation>
+      <source>Surface near the points, or a network of edges</source>
+      <translation>Surface proche des points, ou un réseau d'arêtes</translation>
     </message>
     <message>
       <source>Surface near the points; it gives the fit its rim</source>
@@ -596,6 +616,10 @@
       <translation>La même graine donne le même nuage</translation>
     </message>
     <message>
+      <source>The search ends when it has found so many; 0: all</source>
+      <translation>La recherche s'arrête quand elle en a trouvé autant ; 0 : toutes</translation>
+    </message>
+    <message>
       <source>The surface that is extended: one face</source>
       <translation>La surface qui est prolongée : une seule face</translation>
     </message>
@@ -622,6 +646,10 @@
     <message>
       <source>What happened, and what to try</source>
       <translation>Ce qui s'est passé, et ce qu'on peut essayer</translation>
+    </message>
+    <message>
+      <source>What holds the edges, such as an edge network</source>
+      <translation>Ce qui contient les arêtes, par exemple un réseau d'arêtes</translation>
     </message>
     <message>
       <source>What is fitted to the points</source>
@@ -670,6 +698,10 @@
     <message>
       <source>Whether an extrusion or revolution, as Kinds says, is made as a surface of this kind</source>
       <translation>Si une extrusion ou une révolution, selon Kinds, est faite comme surface de ce genre</translation>
+    </message>
+    <message>
+      <source>Whether it ends where it begins</source>
+      <translation>S'il se termine là où il commence</translation>
     </message>
     <message>
       <source>Whether material fills the smaller wedge: yes, no or unknown</source>
@@ -851,6 +883,10 @@
       <translation>Cliquez près de l'arête, où le palpage doit finir. OK la garde en entier.</translation>
     </message>
     <message>
+      <source>Click on an edge to drop or keep it. OK keeps those in orange.</source>
+      <translation>Cliquez sur une arête pour l'écarter ou la garder. OK garde celles en orange.</translation>
+    </message>
+    <message>
       <source>Click on the cloud near a rim of the pipe: the edge is followed both ways until it ends. Then OK keeps it; Undo takes it away again.</source>
       <translation>Cliquez sur le nuage près d'un bord de la gorge : l'arête est suivie dans les deux sens jusqu'à sa fin. OK la garde ; Annuler la retire.</translation>
     </message>
@@ -865,6 +901,10 @@
     <message>
       <source>Click on the cloud, near the edge you want.</source>
       <translation>Cliquez sur le nuage, près de l'arête voulue.</translation>
+    </message>
+    <message>
+      <source>Click on the face whose points you want, between the edges.</source>
+      <translation>Cliquez sur la face, entre les arêtes, dont vous voulez les points.</translation>
     </message>
     <message>
       <source>Click to see the section there. Arrows: along the edge</source>
@@ -935,6 +975,10 @@
       <translation>Distance entre les points d'une ligne de palpage</translation>
     </message>
     <message>
+      <source>Edge of {length}, turn {turn}, sigma {sigma}</source>
+      <translation>Arête de {length}, angle de pli {turn}, sigma {sigma}</translation>
+    </message>
+    <message>
       <source>Edge pitch</source>
       <translation>Pas d'arête</translation>
     </message>
@@ -959,6 +1003,22 @@
       <translation>Arêtes et surfaces</translation>
     </message>
     <message>
+      <source>Edges known worse are left out: the median of sigma along them counts</source>
+      <translation>Les arêtes moins bien connues sont écartées : c'est la médiane de sigma le long de l'arête qui compte</translation>
+    </message>
+    <message>
+      <source>Edges of {count} objects are selected. Select edges of one network in the 3D view, the others with Ctrl held.</source>
+      <translation>Des arêtes de {count} objets sont sélectionnées. Sélectionnez des arêtes d'un seul réseau dans la vue 3D, les suivantes avec Ctrl enfoncé.</translation>
+    </message>
+    <message>
+      <source>Edges whose sides turn less are left out: 90° at the edge of a box</source>
+      <translation>Les arêtes dont les côtés tournent moins sont écartées : 90° à l'arête d'une boîte</translation>
+    </message>
+    <message>
+      <source>Edit network of edges</source>
+      <translation>Modifier le réseau d'arêtes</translation>
+    </message>
+    <message>
       <source>Edit scanned edge</source>
       <translation>Modifier l'arête palpée</translation>
     </message>
@@ -969,6 +1029,10 @@
     <message>
       <source>End the scan and keep the edge as far as it is known</source>
       <translation>Finir le palpage et garder l'arête telle qu'elle est connue jusqu'ici</translation>
+    </message>
+    <message>
+      <source>End the search and keep the edges found so far</source>
+      <translation>Arrêter la recherche et garder les arêtes trouvées jusqu'ici</translation>
     </message>
     <message>
       <source>Error to expect</source>
@@ -983,6 +1047,14 @@
       <translation>Terminez ou annulez d'abord le panneau de tâches ouvert.</translation>
     </message>
     <message>
+      <source>Forget clicks</source>
+      <translation>Oublier les clics</translation>
+    </message>
+    <message>
+      <source>Forget clicks ({count})</source>
+      <translation>Oublier les clics ({count})</translation>
+    </message>
+    <message>
       <source>Gate, 1 of 2: click beside the edge on the same side. OK needs no gate.</source>
       <translation>Arrivée, 1 sur 2 : cliquez à côté de l'arête, du même côté. OK se passe d'arrivée.</translation>
     </message>
@@ -993,6 +1065,10 @@
     <message>
       <source>Go along the edge</source>
       <translation>Parcourir l'arête</translation>
+    </message>
+    <message>
+      <source>Group of edges</source>
+      <translation>Groupe d'arêtes</translation>
     </message>
     <message>
       <source>Hide the points before and behind the section that is looked at</source>
@@ -1031,20 +1107,40 @@
       <translation>Pouces</translation>
     </message>
     <message>
+      <source>Keep edges</source>
+      <translation>Garder les arêtes</translation>
+    </message>
+    <message>
       <source>Kept as far as it was scanned: a gate ends it there now.</source>
       <translation>Gardée jusqu'où elle a été palpée : une arrivée y termine désormais l'arête.</translation>
+    </message>
+    <message>
+      <source>Kept. Click to drop it.</source>
+      <translation>Gardée. Un clic l'écarte.</translation>
     </message>
     <message>
       <source>Largest deviation of the chord between two edge points from the edge</source>
       <translation>Plus grand écart entre l'arête et la corde joignant deux de ses points</translation>
     </message>
     <message>
+      <source>Left out. Click to keep it.</source>
+      <translation>Écartée. Un clic la garde.</translation>
+    </message>
+    <message>
       <source>Length</source>
       <translation>Longueur</translation>
     </message>
     <message>
+      <source>Length from</source>
+      <translation>Longueur dès</translation>
+    </message>
+    <message>
       <source>Length of a scan line along the surface, half of it on each side</source>
       <translation>Longueur d'une ligne de palpage le long de la surface, moitié de chaque côté</translation>
+    </message>
+    <message>
+      <source>Let length, turn and sigma alone decide again</source>
+      <translation>Laisser de nouveau décider la longueur, l'angle et sigma seuls</translation>
     </message>
     <message>
       <source>Line by line (probe)</source>
@@ -1089,6 +1185,10 @@ l'arête …</translation>
       <translation>Niveau de bruit</translation>
     </message>
     <message>
+      <source>None of these edges can be scanned by itself.</source>
+      <translation>Aucune de ces arêtes ne peut être palpée seule.</translation>
+    </message>
+    <message>
       <source>Nothing with a shape is selected or shown. Select scanned edges or surfaces.</source>
       <translation>Rien qui ait une forme n'est sélectionné ou affiché. Sélectionnez des arêtes palpées ou des surfaces.</translation>
     </message>
@@ -1099,6 +1199,10 @@ l'arête …</translation>
     <message>
       <source>OK keeps this. Click elsewhere to begin again.</source>
       <translation>OK garde ceci. Cliquez ailleurs pour recommencer.</translation>
+    </message>
+    <message>
+      <source>OK makes</source>
+      <translation>OK crée</translation>
     </message>
     <message>
       <source>OK scans this edge with these parameters, line by line. Click elsewhere to measure there instead.</source>
@@ -1115,6 +1219,14 @@ l'arête …</translation>
     <message>
       <source>One click: the whole edge</source>
       <translation>Un clic : toute l'arête</translation>
+    </message>
+    <message>
+      <source>One network</source>
+      <translation>Un réseau</translation>
+    </message>
+    <message>
+      <source>One object whose edges share their corners, or one for each edge that can be edited by itself</source>
+      <translation>Un objet dont les arêtes partagent leurs coins, ou un par arête, modifiable séparément</translation>
     </message>
     <message>
       <source>One point for each pitch² of surface.</source>
@@ -1221,6 +1333,10 @@ l'arête …</translation>
       <translation>Enregistrer les écarts…</translation>
     </message>
     <message>
+      <source>Scan all edges</source>
+      <translation>Palper toutes les arêtes</translation>
+    </message>
+    <message>
       <source>Scan boundary</source>
       <translation>Palper un contour</translation>
     </message>
@@ -1237,12 +1353,24 @@ l'arête …</translation>
       <translation>Tolérance de palpage d'une section de ligne</translation>
     </message>
     <message>
+      <source>Search again</source>
+      <translation>Chercher à nouveau</translation>
+    </message>
+    <message>
       <source>Search distance</source>
       <translation>Distance de recherche</translation>
     </message>
     <message>
+      <source>Search the whole cloud, also for what is still missing</source>
+      <translation>Chercher dans tout le nuage, aussi ce qui manque encore</translation>
+    </message>
+    <message>
       <source>Section</source>
       <translation>Section</translation>
+    </message>
+    <message>
+      <source>Shorter edges are left out; 0: shorter than eight times the cloud's pitch</source>
+      <translation>Les arêtes plus courtes sont écartées ; 0 : plus courtes que huit fois le pas du nuage</translation>
     </message>
     <message>
       <source>Show scan lines</source>
@@ -1259,6 +1387,10 @@ l'arête …</translation>
     <message>
       <source>Sigma is the standard deviation of an edge point across the edge: about two of three lie within it. A good edge's is well below the distance of the points.</source>
       <translation>Sigma est l'écart type d'un point d'arête en travers de l'arête : environ deux sur trois s'y trouvent. Celui d'une bonne arête est nettement inférieur à la distance des points.</translation>
+    </message>
+    <message>
+      <source>Sigma up to</source>
+      <translation>Sigma jusqu'à</translation>
     </message>
     <message>
       <source>Sigma, angle and rounding along the edge</source>
@@ -1293,8 +1425,16 @@ l'arête …</translation>
       <translation>Arrêter ici</translation>
     </message>
     <message>
+      <source>Stopped before an edge was found.</source>
+      <translation>Arrêté avant qu'une arête soit trouvée.</translation>
+    </message>
+    <message>
       <source>Stopped before there was enough of the edge to keep.</source>
       <translation>Arrêté avant qu'il y ait assez de l'arête pour la garder.</translation>
+    </message>
+    <message>
+      <source>Stopped: OK keeps the edges found so far.</source>
+      <translation>Arrêté : OK garde les arêtes trouvées jusqu'ici.</translation>
     </message>
     <message>
       <source>Stopping…</source>
@@ -1341,12 +1481,28 @@ l'arête …</translation>
       <translation>Le nuage est en préparation ; votre clic sera pris en compte ensuite.</translation>
     </message>
     <message>
+      <source>The cloud is searched. Click on an edge to drop it.</source>
+      <translation>Le nuage est parcouru. Cliquez sur une arête pour l'écarter.</translation>
+    </message>
+    <message>
+      <source>The cloud of {label} is gone. Choose another one in its property Cloud, or undo the deletion.</source>
+      <translation>Le nuage de {label} n'existe plus. Choisissez-en un autre dans la propriété Cloud, ou annulez la suppression.</translation>
+    </message>
+    <message>
       <source>The cloud was deleted.</source>
       <translation>Le nuage a été supprimé.</translation>
     </message>
     <message>
+      <source>The cloud was deleted. Undo that, or press Cancel.</source>
+      <translation>Le nuage a été supprimé. Annulez cela, ou cliquez sur Annuler.</translation>
+    </message>
+    <message>
       <source>The edge is being followed.</source>
       <translation>L'arête est en train d'être suivie.</translation>
+    </message>
+    <message>
+      <source>The face has {count} of the {whole} points.</source>
+      <translation>La face a {count} des {whole} points.</translation>
     </message>
     <message>
       <source>The points lie {distance} from the origin, where a document cannot keep them exactly. Moved, they are exact; the cloud's property Origin holds the way back, and exports use it.</source>
@@ -1357,8 +1513,16 @@ l'arête …</translation>
       <translation>La section en travers de l'arête s'affiche ici.</translation>
     </message>
     <message>
+      <source>There is no edge.</source>
+      <translation>Il n'y a pas d'arête à cet endroit.</translation>
+    </message>
+    <message>
       <source>There is no point of a visible cloud there.</source>
       <translation>Il n'y a là aucun point d'un nuage visible.</translation>
+    </message>
+    <message>
+      <source>These edges are not those of {label}.</source>
+      <translation>Ces arêtes ne sont pas celles de {label}.</translation>
     </message>
     <message>
       <source>Thin cloud</source>
@@ -1395,6 +1559,10 @@ l'arête …</translation>
     <message>
       <source>Try it</source>
       <translation>Essayer</translation>
+    </message>
+    <message>
+      <source>Turn from</source>
+      <translation>Pli dès</translation>
     </message>
     <message>
       <source>Turn the view so that the section is seen as it is drawn</source>
@@ -1623,6 +1791,10 @@ l'arête …</translation>
       <translation>{edges} arêtes sont sélectionnées, mais aucune surface. Sélectionnez les surfaces d'une coque, et les arêtes où elles finissent.</translation>
     </message>
     <message>
+      <source>{kept} of {found} edges are kept, {length} in all.</source>
+      <translation>{kept} arêtes sur {found} sont gardées, {length} en tout.</translation>
+    </message>
+    <message>
       <source>{label} could not be computed: {reason}</source>
       <translation>{label} n'a pas pu être calculé : {reason}</translation>
     </message>
@@ -1728,12 +1900,12 @@ l'arête …</translation>
       <translation>Segmenter le nuage</translation>
     </message>
     <message>
-      <source>Select a cloud and a surface</source>
-      <translation>Sélectionnez un nuage et une surface</translation>
+      <source>Select a cloud and a surface, or a network of edges</source>
+      <translation>Sélectionner un nuage et une surface, ou un réseau d'arêtes</translation>
     </message>
     <message>
-      <source>Take the points near a surface as a cloud of their own. Select the cloud and the surface.</source>
-      <translation>Prendre les points près d'une surface comme un nuage à part. Sélectionnez le nuage et la surface.</translation>
+      <source>Take the points near a surface, or of one face between edges, as a cloud of their own. Select the cloud and the surface; or a network of edges, then click on the face.</source>
+      <translation>Prendre les points proches d'une surface, ou d'une face entre arêtes, comme nuage à part. Sélectionnez le nuage et la surface ; ou un réseau d'arêtes, puis cliquez sur la face.</translation>
     </message>
   </context>
   <context>
@@ -1764,6 +1936,21 @@ l'arête …</translation>
     <message>
       <source>Show in colours how far a cloud is from a surface or part. Select the cloud and the surface or part.</source>
       <translation>Montrer en couleurs la distance d'un nuage à une surface ou à une pièce. Sélectionnez le nuage et la surface ou la pièce.</translation>
+    </message>
+  </context>
+  <context>
+    <name>EdgeScan_EdgeWire</name>
+    <message>
+      <source>Join edges that follow each other to a wire, for sweeps, lofts and sketches. Select the edges of a network in the 3D view, the others with Ctrl held.</source>
+      <translation>Joindre des arêtes qui se suivent en un fil, pour balayages, lissages et esquisses. Sélectionnez les arêtes d'un réseau dans la vue 3D, les suivantes avec Ctrl enfoncé.</translation>
+    </message>
+    <message>
+      <source>Select edges of a network, from corner to corner</source>
+      <translation>Sélectionner des arêtes d'un réseau, de coin en coin</translation>
+    </message>
+    <message>
+      <source>Wire of edges</source>
+      <translation>Fil d'arêtes</translation>
     </message>
   </context>
   <context>
@@ -1884,6 +2071,21 @@ l'arête …</translation>
     <message>
       <source>Writes a page about this document</source>
       <translation>Écrit une page sur ce document</translation>
+    </message>
+  </context>
+  <context>
+    <name>EdgeScan_ScanAllEdges</name>
+    <message>
+      <source>Find all edges of a cloud and where they meet, and choose which to keep. Select the cloud; when only one is shown nothing needs to be selected.</source>
+      <translation>Trouver toutes les arêtes d'un nuage et leurs rencontres, et choisir celles à garder. Sélectionnez le nuage ; si un seul est visible, rien n'est à sélectionner.</translation>
+    </message>
+    <message>
+      <source>Scan all edges</source>
+      <translation>Palper toutes les arêtes</translation>
+    </message>
+    <message>
+      <source>Select a cloud, unless only one is shown</source>
+      <translation>Sélectionner un nuage, sauf si un seul est visible</translation>
     </message>
   </context>
   <context>

@@ -11,7 +11,7 @@ from __future__ import annotations
 __all__ = ["decompress_lzf"]
 
 
-def decompress_lzf(data: bytes, size: int) -> bytes:
+def decompress_lzf(data: bytes | bytearray, size: int) -> bytearray:
     """The ``size`` bytes that were compressed into ``data``.
 
     Raises
@@ -49,4 +49,4 @@ def decompress_lzf(data: bytes, size: int) -> bytes:
         raise ValueError(
             f"The compressed data is damaged: it holds {len(out)} bytes instead of {size}."
         )
-    return bytes(out)
+    return out

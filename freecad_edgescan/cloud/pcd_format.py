@@ -14,11 +14,11 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from .blocks import ROWS, Block, Blocks, Bytes, mapped, table_blocks
 from .lzf import decompress_lzf
-from .progress import Progress
-from .text_rows import Row, read_rows
+from .text_rows import Row, row_blocks
 
-__all__ = ["looks_like_pcd", "read_pcd"]
+__all__ = ["looks_like_pcd", "pcd_blocks"]
 
 Array = NDArray[np.float64]
 
@@ -48,8 +48,8 @@ def looks_like_pcd(head: bytes) -> bool:
     return b"\nDATA " in head and (b"FIELDS " in head or b"COLUMNS " in head)
 
 
-def read_pcd(path: Path, progress: Progress | None = None) -> Array:
-    """Points of a .pcd file, (n, 3), mm.
+def pcd_blocks(path: Path, rows: int = ROWS) -> Blocks:
+    """Points of a .pcd file in blocks of so many, mm.
 
     Raises
     ------
@@ -58,13 +58,11 @@ def read_pcd(path: Path, progress: Progress | None = None) -> Array:
     """
     header = _read_header(path)
     if header.data == "ascii":
-        return _read_ascii(path, header, progress)
-    with path.open("rb") as stream:
-        stream.seek(header.size)
-        data = stream.read()
-    if header.data == "binary":
-        return _from_rows(data, header, path.name)
-    return _from_columns(data, header, path.name)
+        yield from _ascii_blocks(path, header, rows)
+    elif header.data == "binary":
+        yield from _blocks_of_rows(path, header, rows)
+    else:
+        yield from _blocks_of_columns(mapped(path), header, path.name, rows)
 
 
 def _read_header(path: Path) -> _Header:
@@ -121,23 +119,23 @@ def _check_header(names: list[str], points: int, data: str, name: str) -> None:
         )
 
 
-def _read_ascii(path: Path, header: _Header, progress: Progress | None) -> Array:
+def _ascii_blocks(path: Path, header: _Header, rows: int) -> Blocks:
     columns = list(accumulate(header.counts, initial=0))
     x, y, z = (columns[header.names.index(axis)] for axis in "xyz")
     with path.open(encoding="utf-8", errors="replace") as stream:
         for _ in range(header.lines):
             next(stream)
-        return read_rows(
+        yield from row_blocks(
             stream,
             Row((x, y, z)),
             name=path.name,
             first_line=header.lines + 1,
-            rows=header.points,
-            progress=progress,
+            promised=header.points,
+            rows=rows,
         )
 
 
-def _from_rows(data: bytes, header: _Header, name: str) -> Array:
+def _blocks_of_rows(path: Path, header: _Header, rows: int) -> Blocks:
     offsets = list(accumulate(header.widths, initial=0))
     places = [header.names.index(axis) for axis in "xyz"]
     row = np.dtype(
@@ -148,42 +146,48 @@ def _from_rows(data: bytes, header: _Header, name: str) -> Array:
             "itemsize": offsets[-1],
         }
     )
-    found = len(data) // row.itemsize
+    found = (path.stat().st_size - header.size) // row.itemsize
     if found < header.points:
-        _complain_of_end(header.points, found, name)
-    table = np.frombuffer(data, row, header.points)
-    return np.stack([table[axis].astype(np.float64) for axis in "xyz"], axis=1)
+        _complain_of_end(header.points, found, path.name)
+    yield from table_blocks(path, row, header.size, header.points, rows)
 
 
-def _from_columns(data: bytes, header: _Header, name: str) -> Array:
-    if len(data) < 8:
+def _blocks_of_columns(body: Bytes, header: _Header, name: str, rows: int) -> Blocks:
+    columns = _unpacked(body, header, name)
+    starts = [width * header.points for width in accumulate(header.widths, initial=0)]
+    xyz = []
+    for axis in "xyz":
+        place = header.names.index(axis)
+        count = header.counts[place]
+        kind = "<" + header.kinds[place]
+        xyz.append(np.frombuffer(columns, kind, header.points * count, starts[place])[::count])
+    for first in range(0, header.points, rows):
+        points = np.stack([own[first : first + rows].astype(np.float64) for own in xyz], axis=1)
+        yield Block(points, (first + len(points)) / header.points)
+
+
+def _unpacked(body: Bytes, header: _Header, name: str) -> Bytes:
+    """The values of all fields, one field after the other."""
+    size = len(body) - header.size
+    if size < 8:
         _complain_of_end(header.points, 0, name)
-    packed, unpacked = (int(size) for size in np.frombuffer(data, "<u4", 2))
+    packed, unpacked = (int(own) for own in np.frombuffer(body, "<u4", 2, header.size))
     expected = sum(header.widths) * header.points
     if unpacked != expected:
         raise ValueError(
             f"{name} holds {unpacked} bytes of points, its header promises {expected}. "
             "Export the file again."
         )
-    if len(data) < 8 + packed:
+    if size < 8 + packed:
         raise ValueError(
-            f"{name} promises {packed} bytes of compressed points but ends after {len(data) - 8}. "
+            f"{name} promises {packed} bytes of compressed points but ends after {size - 8}. "
             "It was cut off while it was written or copied; get it again."
         )
+    begin = header.size + 8
     try:
-        columns = decompress_lzf(data[8 : 8 + packed], unpacked)
+        return decompress_lzf(body[begin : begin + packed], unpacked)
     except ValueError as error:
         raise ValueError(f"{name} cannot be read. {error} Get the file again.") from None
-    starts = [width * header.points for width in accumulate(header.widths, initial=0)]
-    points = np.empty((header.points, 3))
-    for axis, axis_name in enumerate("xyz"):
-        place = header.names.index(axis_name)
-        count = header.counts[place]
-        values = np.frombuffer(
-            columns, "<" + header.kinds[place], header.points * count, starts[place]
-        )
-        points[:, axis] = values[::count]
-    return points
 
 
 def _complain_of_end(promised: int, found: int, name: str) -> None:

@@ -7,6 +7,7 @@ Only x, y and z of the element ``vertex`` are taken, so that a mesh comes in by 
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Iterator
 from itertools import islice
 from pathlib import Path
 from typing import Any, NoReturn
@@ -14,17 +15,17 @@ from typing import Any, NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
+from .blocks import ROWS, Block, Blocks, Bytes, mapped, table_blocks
 from .ply_header import BYTE_ORDERS, PlyElement, PlyHeader, read_ply_header, split_at_vertices
-from .progress import Progress
-from .text_rows import Row, read_rows
+from .text_rows import Row, row_blocks
 
-__all__ = ["read_ply", "write_ply"]
+__all__ = ["ply_blocks", "write_ply"]
 
 Array = NDArray[np.float64]
 
 
-def read_ply(path: Path, progress: Progress | None = None) -> Array:
-    """Vertices of a .ply file, (n, 3), mm.
+def ply_blocks(path: Path, rows: int = ROWS) -> Blocks:
+    """Vertices of a .ply file in blocks of so many, mm.
 
     Raises
     ------
@@ -33,13 +34,17 @@ def read_ply(path: Path, progress: Progress | None = None) -> Array:
     header = read_ply_header(path)
     before, vertex = split_at_vertices(header, path.name)
     if header.format == "ascii":
-        return _read_ascii(path, header, before, vertex, progress)
+        yield from _ascii_blocks(path, header, before, vertex, rows)
+        return
     order = BYTE_ORDERS[header.format]
-    body = path.read_bytes()
-    start = header.size
+    body, start = mapped(path), header.size
     for element in before:
-        _, start = _read_element(body, start, element, order, path.name)
-    return _read_element(body, start, vertex, order, path.name)[0]
+        start = _end_of(body, start, element, order, path.name)
+    row = _fixed_row(body, start, vertex, order, path.name)
+    if row is not None:
+        yield from table_blocks(path, row, start, vertex.count, rows)
+    else:
+        yield from _ragged_blocks(body, start, vertex, order, path.name, rows)
 
 
 def write_ply(points: Array, path: Path) -> None:
@@ -51,16 +56,12 @@ def write_ply(points: Array, path: Path) -> None:
     )
     with path.open("wb") as stream:
         stream.write(header.encode("ascii"))
-        stream.write(np.ascontiguousarray(points, dtype="<f8").tobytes())
+        stream.write(np.ascontiguousarray(points, dtype="<f8").data)
 
 
-def _read_ascii(
-    path: Path,
-    header: PlyHeader,
-    before: list[PlyElement],
-    vertex: PlyElement,
-    progress: Progress | None,
-) -> Array:
+def _ascii_blocks(
+    path: Path, header: PlyHeader, before: list[PlyElement], vertex: PlyElement, rows: int
+) -> Blocks:
     names = [p.name for p in vertex.properties]
     columns = (names.index("x"), names.index("y"), names.index("z"))
     if any(p.counted_by for p in vertex.properties[: max(columns)]):
@@ -71,33 +72,43 @@ def _read_ascii(
     first = header.lines + sum(element.count for element in before)
     with path.open(encoding="utf-8", errors="replace") as stream:
         deque(islice(stream, first), maxlen=0)
-        return read_rows(
+        yield from row_blocks(
             stream,
             Row(columns),
             name=path.name,
             first_line=first + 1,
-            rows=vertex.count,
-            progress=progress,
+            promised=vertex.count,
+            rows=rows,
         )
 
 
-def _read_element(
-    body: bytes, start: int, element: PlyElement, order: str, name: str
-) -> tuple[Array, int]:
-    """The x, y, z of an element that begins at a byte, (count, 3), and where the next begins."""
+def _end_of(body: Bytes, start: int, element: PlyElement, order: str, name: str) -> int:
+    """Where the element ends that begins at a byte."""
+    row = _fixed_row(body, start, element, order, name)
+    if row is not None:
+        return start + row.itemsize * element.count
+    for _, end in _ragged_rows(body, start, element, order, name):
+        start = end
+    return start
+
+
+def _fixed_row(
+    body: Bytes, start: int, element: PlyElement, order: str, name: str
+) -> np.dtype | None:
+    """What all rows of the element that begins at a byte look like; None where they differ."""
     lengths = _list_lengths(body, start, element, order)
     row = _row_type(element, order, lengths) if sum(lengths.values()) < len(body) else None
     fitting = (len(body) - start) // row.itemsize if row is not None and row.itemsize else 0
     if row is not None and fitting >= element.count:
         table = np.frombuffer(body, row, element.count, start)
         if all(np.all(table[f"{p} length"] == length) for p, length in lengths.items()):
-            return _coordinates(table), start + row.itemsize * element.count
+            return row
     if not element.has_lists:
         _complain_of_end(element, fitting, name)
-    return _read_ragged(body, start, element, order, name)
+    return None
 
 
-def _list_lengths(body: bytes, start: int, element: PlyElement, order: str) -> dict[str, int]:
+def _list_lengths(body: Bytes, start: int, element: PlyElement, order: str) -> dict[str, int]:
     """Lengths of the lists in the row that begins at a byte."""
     lengths: dict[str, int] = {}
     for p in element.properties:
@@ -107,7 +118,7 @@ def _list_lengths(body: bytes, start: int, element: PlyElement, order: str) -> d
     return lengths
 
 
-def _read_length(body: bytes, start: int, kind: str) -> tuple[int, int]:
+def _read_length(body: Bytes, start: int, kind: str) -> tuple[int, int]:
     """A list's length, 0 past the end of the file, and where its items begin."""
     end = start + np.dtype(kind).itemsize
     length = int(np.frombuffer(body, kind, 1, start)[0]) if end <= len(body) else 0
@@ -126,11 +137,10 @@ def _row_type(element: PlyElement, order: str, lengths: dict[str, int]) -> np.dt
     return np.dtype(fields)
 
 
-def _read_ragged(
-    body: bytes, start: int, element: PlyElement, order: str, name: str
-) -> tuple[Array, int]:
-    """Row by row, for lists of changing length."""
-    rows: list[list[float]] = []
+def _ragged_rows(
+    body: Bytes, start: int, element: PlyElement, order: str, name: str
+) -> Iterator[tuple[list[float], int]]:
+    """Row by row, for lists of changing length: x, y, z and where the next row begins."""
     for i in range(element.count):
         found = dict.fromkeys("xyz", 0.0)
         for p in element.properties:
@@ -143,15 +153,16 @@ def _read_ragged(
             if p.name in found and not p.counted_by:
                 found[p.name] = float(np.frombuffer(body, order + p.kind, 1, start)[0])
             start = end
-        rows.append(list(found.values()))
-    return np.array(rows), start
+        yield list(found.values()), start
 
 
-def _coordinates(table: np.ndarray) -> Array:
-    names = table.dtype.names or ()
-    if not {"x", "y", "z"} <= set(names):
-        return np.empty((0, 3))
-    return np.stack([table[axis].astype(np.float64) for axis in "xyz"], axis=1)
+def _ragged_blocks(
+    body: Bytes, start: int, vertex: PlyElement, order: str, name: str, rows: int
+) -> Blocks:
+    remaining = _ragged_rows(body, start, vertex, order, name)
+    while some := list(islice(remaining, rows)):
+        points, ends = zip(*some, strict=True)
+        yield Block(np.array(points), ends[-1] / len(body))
 
 
 def _complain_of_end(element: PlyElement, found: int, name: str) -> NoReturn:

@@ -4,23 +4,27 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import closing
 from os import PathLike
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .pcd_format import looks_like_pcd, read_pcd
-from .ply_format import read_ply
+from .blocks import ROWS, Blocks
+from .growing_points import GrowingPoints
+from .pcd_format import looks_like_pcd, pcd_blocks
+from .ply_format import ply_blocks
 from .ply_header import PLY_MAGIC
 from .point_cloud import PointCloud
 from .progress import Progress
-from .text_format import looks_like_text_cloud, read_text
+from .region import Reach, Region
+from .text_format import looks_like_text_cloud, text_blocks
 
-__all__ = ["READABLE_ENDINGS", "TEXT_ENDINGS", "UNITS", "read_cloud"]
+__all__ = ["READABLE_ENDINGS", "TEXT_ENDINGS", "UNITS", "cloud_blocks", "read_cloud"]
 
 Array = NDArray[np.float64]
-Reader = Callable[[Path, "Progress | None"], Array]
+Reader = Callable[[Path, int], Blocks]
 
 TEXT_ENDINGS = (".xyz", ".txt", ".asc", ".csv")
 UNITS = {"mm": 1.0, "m": 1000.0, "inch": 25.4}  # mm
@@ -59,23 +63,49 @@ def read_cloud(
     file = Path(path)
     if unit not in UNITS:
         raise ValueError(f"The unit {unit!r} is not known. Give one of {', '.join(UNITS)}.")
-    box = _box(region)
+    wanted = None if region is None else Region.of(region)
     try:
-        points = _reader(file)(file, progress)
+        points = _read(file, UNITS[unit], wanted, progress)
     except OSError as error:
         raise ValueError(
             f"{file} cannot be read: {error.strerror or error}. Check the path and the permissions."
         ) from error
-    if len(points) == 0:
-        raise ValueError(f"{file.name} holds no points. Check how the file was written.")
-    if unit != "mm":
-        points = points * UNITS[unit]
-    if box is not None:
-        points = _within(points, box, file.name)
     cloud = PointCloud(points, probe_radius, approach)
     if progress is not None:
         progress.update(1.0, cloud)
     return cloud
+
+
+def cloud_blocks(file: Path, rows: int = ROWS) -> Blocks:
+    """Points of a file of any readable kind in blocks of so many, in the file's own unit.
+
+    Raises
+    ------
+    ValueError: as for ``read_cloud``.
+    """
+    return _reader(file)(file, rows)
+
+
+def _read(file: Path, scale: float, wanted: Region | None, progress: Progress | None) -> Array:
+    """The wanted points of a file, (n, 3) read-only, mm."""
+    kept, reach = GrowingPoints(), Reach()
+    read = found = 0
+    with closing(cloud_blocks(file)) as blocks:
+        for points, share in blocks:
+            read += len(points)
+            points *= scale
+            if wanted is not None:
+                reach.widen(points)
+                points = points[wanted.holds(points)]
+                found += int(np.count_nonzero(np.isfinite(points).all(axis=1)))
+            kept.append(points)
+            if progress is not None and not progress.update(min(share, 0.99), points):
+                break
+    if not read:
+        raise ValueError(f"{file.name} holds no points. Check how the file was written.")
+    if wanted is not None and not found:
+        raise wanted.is_empty_of(file.name, reach.bounds)
+    return kept.taken()
 
 
 def _reader(file: Path) -> Reader:
@@ -88,52 +118,18 @@ def _reader(file: Path) -> Reader:
     if not head.strip():
         raise ValueError(f"{file.name} is empty. Export the cloud again.")
     if head.startswith((PLY_MAGIC + b"\n", PLY_MAGIC + b"\r")):
-        return read_ply
+        return ply_blocks
     if looks_like_pcd(head):
-        return read_pcd
+        return pcd_blocks
     ending = file.suffix.lower()
     if ending in TEXT_ENDINGS or looks_like_text_cloud(file):
-        return read_text
+        return text_blocks
     if ending == ".ply":
-        return read_ply
+        return ply_blocks
     if ending == ".pcd":
-        return read_pcd
+        return pcd_blocks
     raise ValueError(
         f"{file.name} is not a cloud this can read: its ending is '{file.suffix or 'missing'}' and "
         f"its content is no table of points. Readable are {', '.join(READABLE_ENDINGS)}; inside "
         "FreeCAD, freecad_edgescan.document also reads e57, stl, obj and other meshes."
     )
-
-
-def _box(region: ArrayLike | None) -> Array | None:
-    if region is None:
-        return None
-    try:
-        box = np.asarray(region, dtype=np.float64)
-    except (TypeError, ValueError):
-        box = np.empty(0)
-    if box.shape != (2, 3) or not np.all(box[0] <= box[1]):
-        raise ValueError(
-            f"The region {region!r} is no box. Give its lowest and highest corner, "
-            "((xmin, ymin, zmin), (xmax, ymax, zmax)) in mm."
-        )
-    return box
-
-
-def _within(points: Array, box: Array, name: str) -> Array:
-    """Points in the box, and the rows that are no points, which the cloud counts."""
-    inside = ~((points < box[0]) | (points > box[1])).any(axis=1)
-    if not np.isfinite(points[inside]).all(axis=1).any():
-        finite = points[np.isfinite(points).all(axis=1)]
-        reach = ""
-        if len(finite):
-            lowest, highest = (
-                ", ".join(f"{value:.6g}" for value in corner)
-                for corner in (finite.min(axis=0), finite.max(axis=0))
-            )
-            reach = f", which reaches from ({lowest}) to ({highest})"
-        raise ValueError(
-            f"No point of {name}{reach}, lies in the region {box.tolist()}. "
-            "Take a region that overlaps the cloud."
-        )
-    return np.asarray(points[inside])

@@ -13,15 +13,10 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
+from .blocks import ROWS, Blocks
+from .text_rows import Row, holds_data, row_blocks
 
-from .progress import Progress
-from .text_rows import Row, holds_data, read_rows
-
-__all__ = ["looks_like_text_cloud", "read_text"]
-
-Array = NDArray[np.float64]
+__all__ = ["looks_like_text_cloud", "text_blocks"]
 
 LONGEST_HEADER = 100  # lines
 SAMPLE = 50  # lines the separator is judged by
@@ -44,8 +39,8 @@ class _Layout:
     row: Row
 
 
-def read_text(path: Path, progress: Progress | None = None) -> Array:
-    """Points of a text file, (n, 3), mm.
+def text_blocks(path: Path, rows: int = ROWS) -> Blocks:
+    """Points of a text file in blocks of so many lines, mm.
 
     Raises
     ------
@@ -63,8 +58,8 @@ def read_text(path: Path, progress: Progress | None = None) -> Array:
     with path.open(encoding=encoding, errors="replace") as stream:
         for _ in range(layout.header):
             next(stream)
-        return read_rows(
-            stream, layout.row, name=path.name, first_line=layout.header + 1, progress=progress
+        yield from row_blocks(
+            stream, layout.row, name=path.name, first_line=layout.header + 1, rows=rows
         )
 
 

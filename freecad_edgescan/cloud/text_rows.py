@@ -2,7 +2,7 @@
 """Three columns of numbers out of lines of text, fast, with the line named when it cannot be done.
 
 All textual formats (xyz, ascii ply, ascii pcd) read their points here: numpy's C reader takes
-the lines in large pieces; only a piece it refuses is looked at line by line.
+the lines in blocks; only a block it refuses is looked at line by line.
 """
 
 from __future__ import annotations
@@ -14,14 +14,13 @@ from typing import TextIO
 import numpy as np
 from numpy.typing import NDArray
 
-from .progress import Progress
+from .blocks import ROWS, Block, Blocks
 
-__all__ = ["Row", "holds_data", "read_rows"]
+__all__ = ["Row", "holds_data", "row_blocks"]
 
 Array = NDArray[np.float64]
 
 COMMENT_MARKS = ("#", "//", "%")
-PIECE = 100_000  # lines
 
 
 @dataclass(frozen=True)
@@ -38,16 +37,16 @@ class Row:
         return [field.strip() for field in text.split(self.separator)]
 
 
-def read_rows(
+def row_blocks(
     stream: TextIO,
     row: Row,
     *,
     name: str,
     first_line: int = 1,
-    rows: int | None = None,
-    progress: Progress | None = None,
-) -> Array:
-    """Points from the lines of a stream, (n, 3).
+    promised: int | None = None,
+    rows: int = ROWS,
+) -> Blocks:
+    """Points from the lines of a stream.
 
     Parameters
     ----------
@@ -55,37 +54,28 @@ def read_rows(
     row : how each line holds its numbers
     name : of the file, for messages
     first_line : number of the line the stream stands at
-    rows : how many points to read; None reads to the end
-    progress : told the share of the file read and the newest points, (k, 3); False ends the
-        reading with the points so far
+    promised : how many points to read; None reads to the end
+    rows : lines of a block
 
     Raises
     ------
     ValueError: a line without three numbers, named by its line number; fewer rows than promised.
     """
-    pieces: list[Array] = []
-    line = first_line
-    wanted = rows
-    size = _size(stream) if progress is not None else 0
-    while wanted is None or wanted > 0:
-        lines = list(islice(stream, PIECE if wanted is None else min(wanted, PIECE)))
+    line, found = first_line, 0
+    size = _size(stream)
+    while promised is None or found < promised:
+        lines = list(islice(stream, rows if promised is None else min(promised - found, rows)))
         if not lines:
             break
-        points = _piece(lines, row, name, line)
-        pieces.append(points)
+        points = _points(lines, row, name, line)
         line += len(lines)
-        wanted = None if wanted is None else wanted - len(points)
-        if progress is not None and not progress.update(
-            min(stream.buffer.tell() / size, 0.99), points
-        ):
-            return np.concatenate(pieces)
-    points = np.concatenate(pieces) if pieces else np.empty((0, 3))
-    if rows is not None and len(points) < rows:
+        found += len(points)
+        yield Block(points, stream.buffer.tell() / size)
+    if promised is not None and found < promised:
         raise ValueError(
-            f"{name} promises {rows} points but ends after {len(points)}. "
+            f"{name} promises {promised} points but ends after {found}. "
             "It was cut off while it was written or copied; get it again."
         )
-    return points
 
 
 def _size(stream: TextIO) -> int:
@@ -96,7 +86,7 @@ def _size(stream: TextIO) -> int:
     return max(size, 1)
 
 
-def _piece(lines: list[str], row: Row, name: str, first_line: int) -> Array:
+def _points(lines: list[str], row: Row, name: str, first_line: int) -> Array:
     if row.decimal_comma:
         lines = [line.replace(",", ".") for line in lines]
     if not any(holds_data(line) for line in lines):

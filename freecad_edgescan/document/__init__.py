@@ -26,9 +26,11 @@ if TYPE_CHECKING:
     from .deviation_map import make_deviation_map as make_deviation_map
     from .deviation_map import save_deviation_map as save_deviation_map
     from .edge_export import export_csv as export_csv
+    from .edge_network import change_edge_network as change_edge_network
     from .edge_network import make_edge_network as make_edge_network
     from .edge_network_shape import network_shape as network_shape
     from .edge_network_shape import network_wires as network_wires
+    from .edge_wire import make_edge_wire as make_edge_wire
     from .export import export_step as export_step
     from .extended_surface import make_extended_surface as make_extended_surface
     from .fitted_surface import make_fitted_surface as make_fitted_surface
@@ -37,6 +39,7 @@ if TYPE_CHECKING:
     from .scanned_boundary import make_scanned_boundary as make_scanned_boundary
     from .scanned_edge import change_scanned_edge as change_scanned_edge
     from .scanned_edge import make_scanned_edge as make_scanned_edge
+    from .scanned_edges import make_scanned_edges as make_scanned_edges
     from .sharp_edges import true_edges as true_edges
     from .simulated_cloud_object import make_core_box as make_core_box
     from .simulated_cloud_object import make_simulated_cloud as make_simulated_cloud
@@ -49,6 +52,7 @@ if TYPE_CHECKING:
     from .trimmed_shell import make_trimmed_shell as make_trimmed_shell
 
 _HOME_OF = {
+    "change_edge_network": "edge_network",
     "change_scanned_edge": "scanned_edge",
     "edge_shape": "native_edge",
     "export_csv": "edge_export",
@@ -60,6 +64,7 @@ _HOME_OF = {
     "make_core_box": "simulated_cloud_object",
     "make_demo": "demo",
     "make_edge_network": "edge_network",
+    "make_edge_wire": "edge_wire",
     "make_cloud_segment": "cloud_segment",
     "make_fitted_surface": "fitted_surface",
     "make_extended_surface": "extended_surface",
@@ -72,6 +77,7 @@ _HOME_OF = {
     "make_loft": "sweeps",
     "make_scanned_boundary": "scanned_boundary",
     "make_scanned_edge": "scanned_edge",
+    "make_scanned_edges": "scanned_edges",
     "make_simulated_cloud": "simulated_cloud_object",
     "make_sweep": "sweeps",
     "make_swept_surface": "swept_surface",

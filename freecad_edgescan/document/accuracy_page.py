@@ -197,7 +197,7 @@ def _text(measured: Accuracy, page: Path) -> str:
     named = [
         *simple,
         *(
-            replace(each, what=f"{report.name}: {each.what}")
+            replace(each, what=f"{report.part.name}: {each.what}")
             for (report, _), wanted in zip(measured.parts, parts, strict=True)
             for each in wanted
         ),
@@ -215,7 +215,7 @@ def _text(measured: Accuracy, page: Path) -> str:
         _PARTS,
         *(
             _PART.format(
-                name=report.name, wanted=wanted_table(wanted), call=call, table=report.text()
+                name=report.part.name, wanted=wanted_table(wanted), call=call, table=report.text()
             )
             for (report, call), wanted in zip(measured.parts, parts, strict=True)
         ),
@@ -247,7 +247,7 @@ def _along(measured: Accuracy) -> dict[str, EdgeReport]:
     ]
     if found:
         worst, report = max(found, key=lambda pair: pair[0].rms)
-        drawn[f"{report.name} {worst.truth.name} (worst)"] = worst
+        drawn[f"{report.part.name} {worst.truth.name} (worst)"] = worst
     return drawn
 
 

@@ -22,6 +22,7 @@ from ..cloud import PointCloud
 from ..geometry import Circle, fit_circle
 from ..geometry.place_text import place_text
 from .cloud_cache import point_cloud
+from .given_numbers import positive_length, share_of_rail
 
 __all__ = ["ArcProfile", "fit_arc_profile", "make_arc_profile"]
 
@@ -105,8 +106,8 @@ def fit_arc_profile(
     rails : two Part.Edges
     share, thickness : as for `make_arc_profile`
     """
-    if not 0.0 <= share <= 1.0:
-        raise ValueError(f"The share of the rail is {share!r}; give a number from 0 to 1.")
+    share = share_of_rail(share)
+    slab = 6.0 * cloud.pitch if thickness is None else positive_length("thickness", thickness)
     first, along = _place_on(rails[0], share)
     second = _crossing(rails[1], first, along)
     across = second - first
@@ -114,7 +115,6 @@ def fit_arc_profile(
     across /= width
     down = np.cross(along, across)
     plane = np.array([across, down])
-    slab = 6.0 * cloud.pitch if thickness is None else thickness
     away = cloud.points - first
     flat = away[np.abs(away @ along) <= slab / 2.0] @ plane.T
     margin = 2.0 * cloud.probe_radius + 2.0 * cloud.pitch

@@ -3,13 +3,16 @@
 
 However many edges are scanned in a cloud, its tree, pitch and noise are worked out once. An entry
 is found by its object and is valid while the object's kernel, placement and probe stay as they
-are; only a few are kept, and none longer than its document.
+are; only a few are kept, and none longer than its document. FreeCAD tells when a kernel is
+exchanged: reading all points again to see that they are the same takes seconds for a large cloud.
 """
 
 from __future__ import annotations
 
 import hashlib
 from collections import OrderedDict
+from collections.abc import Iterable
+from dataclasses import dataclass
 from typing import Any
 
 import FreeCAD
@@ -18,13 +21,35 @@ from numpy.typing import NDArray
 
 from ..cloud import PointCloud
 from ..scanning import ScanError
-from .bridge import document_points_of
+from .bridge import document_blocks_of, document_points_of, global_placement
 
 __all__ = ["cloud_checksum", "forget_clouds", "point_cloud", "probe_radius_of"]
 
 MOST_CLOUDS = 8
 
-_clouds: OrderedDict[tuple[str, str], tuple[str, PointCloud]] = OrderedDict()
+Key = tuple[str, str]
+Probe = tuple[float, tuple[float, ...]]
+
+
+@dataclass
+class _Entry:
+    """A cloud with its checksum, and what else it was made of.
+
+    Attributes
+    ----------
+    place : matrix of where the object stood
+    probe : radius and approach
+    exchanged : whether the object has got another kernel since
+    """
+
+    checksum: str
+    cloud: PointCloud
+    place: tuple[float, ...]
+    probe: Probe
+    exchanged: bool = False
+
+
+_clouds: OrderedDict[Key, _Entry] = OrderedDict()
 _watching: list[Any] = []
 
 
@@ -43,14 +68,14 @@ def point_cloud(obj: Any) -> PointCloud:
     Raises
     ------
     ValueError: the object is no cloud.
-    ScanError: it is empty, or its probe cannot be.
+    ScanError: there is none, it is empty, or its probe cannot be.
     """
-    return _up_to_date(obj)[1]
+    return _up_to_date(obj).cloud
 
 
 def cloud_checksum(obj: Any) -> str:
     """Checksum of a cloud object's points where the document shows them, and of its probe."""
-    return _up_to_date(obj)[0]
+    return _up_to_date(obj).checksum
 
 
 def probe_radius_of(obj: Any) -> float:
@@ -65,22 +90,20 @@ def forget_clouds(doc_name: str, name: str | None = None) -> None:
             del _clouds[key]
 
 
-def _up_to_date(obj: Any) -> tuple[str, PointCloud]:
-    points = document_points_of(obj)
-    if len(points) == 0:
-        raise ScanError(
-            f"The cloud {obj.Label!r} is empty; import its points again, or choose another cloud."
-        )
-    radius, approach = _probe(obj)
-    checksum = _checksum(points, radius, approach)
+def _up_to_date(obj: Any) -> _Entry:
+    if obj is None:
+        raise ScanError("The cloud is missing; choose one, or undo its deletion.")
     key = (obj.Document.Name, obj.Name)
+    place, probe = tuple(global_placement(obj).toMatrix().A), _probe(obj)
     entry = _clouds.get(key)
-    if entry is None or entry[0] != checksum:
-        try:
-            entry = (checksum, PointCloud(points, radius, approach))
-        except ValueError as error:
-            raise ScanError(f"The cloud {obj.Label!r} cannot be scanned: {error}") from error
-        _clouds[key] = entry
+    if entry is not None and (entry.exchanged or (entry.place, entry.probe) != (place, probe)):
+        if entry.checksum == _checksum(document_blocks_of(obj), probe):
+            entry.place, entry.exchanged = place, False
+        else:  # its memory is needed
+            entry = None
+            del _clouds[key]
+    if entry is None:
+        entry = _clouds[key] = _read(obj, place, probe)
         _watch()
     _clouds.move_to_end(key)
     while len(_clouds) > MOST_CLOUDS:
@@ -88,22 +111,42 @@ def _up_to_date(obj: Any) -> tuple[str, PointCloud]:
     return entry
 
 
-def _probe(obj: Any) -> tuple[float, NDArray[np.float64] | None]:
-    radius = probe_radius_of(obj)
-    approach = np.array(getattr(obj, "Approach", (0.0, 0.0, 0.0)), dtype=float)
-    return radius, approach if np.any(approach) else None
+def _read(obj: Any, place: tuple[float, ...], probe: Probe) -> _Entry:
+    points = document_points_of(obj)
+    if len(points) == 0:
+        raise ScanError(
+            f"The cloud {obj.Label!r} is empty; import its points again, or choose another cloud."
+        )
+    points.setflags(write=False)  # which the cloud takes as they are
+    try:
+        cloud = PointCloud(points, probe[0], probe[1] if any(probe[1]) else None)
+    except ValueError as error:
+        raise ScanError(f"The cloud {obj.Label!r} cannot be scanned: {error}") from error
+    return _Entry(_checksum([points], probe), cloud, place, probe)
 
 
-def _checksum(
-    points: NDArray[np.float64], radius: float, approach: NDArray[np.float64] | None
-) -> str:
-    digest = hashlib.blake2b(points.data, digest_size=16)
-    digest.update(repr((radius, None if approach is None else approach.tolist())).encode())
+def _probe(obj: Any) -> Probe:
+    return probe_radius_of(obj), tuple(getattr(obj, "Approach", (0.0, 0.0, 0.0)))
+
+
+def _checksum(blocks: Iterable[NDArray[np.float64]], probe: Probe) -> str:
+    digest = hashlib.blake2b(digest_size=16)
+    for block in blocks:
+        digest.update(np.ascontiguousarray(block).data)
+    radius, approach = probe
+    digest.update(repr((radius, list(approach) if any(approach) else None)).encode())
     return digest.hexdigest()
 
 
 class _Observer:
-    """FreeCAD tells it what disappears."""
+    """FreeCAD tells it what disappears, and what gets other points."""
+
+    def slotChangedObject(self, obj: Any, name: str) -> None:
+        if name == "Points" and (entry := _clouds.get((obj.Document.Name, obj.Name))):
+            entry.exchanged = True
+
+    def slotFinishRestoreDocument(self, doc: Any) -> None:
+        forget_clouds(doc.Name)
 
     def slotDeletedDocument(self, doc: Any) -> None:
         forget_clouds(doc.Name)

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from ..cloud import PointCloud
 from ..cloud.reading import UNITS
+from ..cloud.region import Region, cropped
 from .bridge import kernel_from_array
 from .cloud_source import read_source
 from .declared_properties import Declared, Role, declare
@@ -61,6 +62,7 @@ def make_cloud(
     name: str = "Cloud",
     unit: str = "mm",
     near_origin: bool = True,
+    region: ArrayLike | None = None,
 ) -> Any:
     """Put a cloud into a document.
 
@@ -75,6 +77,8 @@ def make_cloud(
     unit : "mm", "m" or "inch", of the numbers in the source
     near_origin : move a cloud that lies far away for its size near the origin. A document keeps
         points as float32, which far away would be no longer exact.
+    region : ((xmin, ymin, zmin), (xmax, ymax, zmax)), mm: only points in this box are put there.
+        Of a file nothing else is kept in memory, however large it is.
 
     Returns
     -------
@@ -84,20 +88,24 @@ def make_cloud(
 
     Raises
     ------
-    ValueError: a source that cannot be read or holds no points, or an unknown unit; nothing is
-        made then.
+    ValueError: a source that cannot be read or holds no points, an unknown unit, or a region
+        without points; nothing is made then.
     """
     if doc is None:
         raise ValueError("There is no document for the cloud; make one with FreeCAD.newDocument().")
     if unit not in UNITS:
         raise ValueError(f"The unit {unit!r} is not known. Give one of {', '.join(UNITS)}.")
     path = Path(source) if isinstance(source, str | PathLike) else None
+    if region is not None:  # in the source's unit, as its numbers are
+        box = Region.of(region)
+        region = (box.lowest / UNITS[unit], box.highest / UNITS[unit])
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message=".*were left out")  # said below, in plain words
         if path is not None:
-            numbers = read_source(path)
+            numbers = read_source(path, region=region)
         else:
             numbers = source if isinstance(source, PointCloud) else PointCloud(np.asarray(source))
+            numbers = numbers if region is None else cropped(numbers, region)
     if probe_radius is None:
         probe_radius = numbers.probe_radius
     if approach is None:
@@ -107,7 +115,7 @@ def make_cloud(
     obj = doc.addObject("Points::Feature", name)
     if path is not None:
         obj.Label = path.stem
-    obj.Points = kernel_from_array(UNITS[unit] * numbers.points - origin)
+    obj.Points = kernel_from_array(numbers.points, UNITS[unit], origin)
     declare(obj, _PROPERTIES)
     obj.ProbeRadius = checked.probe_radius
     if checked.approach is not None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
 import numpy as np
 import Part
 
@@ -21,7 +20,9 @@ from ..surfacing import CrossSection, cross_section
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
+from .given_numbers import length_or_zero, share_of_rail
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_curve import curve_shape, vector
 
@@ -92,13 +93,13 @@ def make_cloud_section(
     require_shape("rail", [rail] if towards is None else [rail, towards])
     if kind not in KINDS:
         raise ValueError(f"There is no profile of the kind {kind!r}; choose {', '.join(KINDS)}.")
-    if not 0.0 <= share <= 1.0:
-        raise ValueError(f"The share of the rail is {share!r}; give a number from 0 to 1.")
+    share, reach = share_of_rail(share), length_or_zero("reach", reach)
+    thickness = length_or_zero("thickness", thickness)
     obj = doc.addObject("Part::FeaturePython", name)
     CloudSectionProxy(obj)
     obj.Cloud, obj.Rail, obj.Towards = cloud, rail, towards
-    obj.Share, obj.Kind = float(share), str(kind)
-    obj.Reach, obj.Thickness = float(reach), float(thickness)
+    obj.Share, obj.Kind = share, str(kind)
+    obj.Reach, obj.Thickness = reach, thickness
     return obj
 
 
@@ -109,8 +110,6 @@ class CloudSectionProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, rails, place, and what is fitted."""
-        if obj.Cloud is None or obj.Rail is None:
-            raise ValueError("The cloud or the rail is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield linked_curve(obj.Rail, "rail")
         yield None if obj.Towards is None else linked_curve(obj.Towards, "rail")
@@ -121,10 +120,9 @@ class CloudSectionProxy(ComputedProxy):
         cloud = point_cloud(obj.Cloud)
         rail = linked_curve(obj.Rail, "rail")
         towards = None if obj.Towards is None else linked_curve(obj.Towards, "rail")
-        share, reach, thickness = float(obj.Share), obj.Reach.Value, obj.Thickness.Value
+        share, reach = share_of_rail(obj.Share), length_or_zero("reach", obj.Reach.Value)
+        thickness = length_or_zero("thickness", obj.Thickness.Value)
         kind = None if obj.Kind == AUTOMATIC else obj.Kind
-        if not 0.0 <= share <= 1.0:
-            raise ValueError(f"The share of the rail is {share:g}; give a number from 0 to 1.")
 
         def cut(progress: Progress | None) -> CrossSection:
             points = _surface_points(cloud, rail, towards, share, reach, progress)
@@ -138,15 +136,12 @@ class CloudSectionProxy(ComputedProxy):
         """Write the profile."""
         section = result
         shape = _edge(section)
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, section.message, origin_of(obj.Cloud))
         obj.KindUsed = str(section.kind.value)
         circle = section.primitive
         obj.Radius = float(circle.radius) if isinstance(circle, Circle) else 0.0
         obj.Average, obj.Maximum = section.average, section.maximum
         obj.PointCount = len(section.points)
-        obj.Message = section.message
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
 
 
 def _surface_points(

@@ -14,9 +14,10 @@ from typing import Any
 
 import FreeCAD
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from ..cloud import READABLE_ENDINGS, PointCloud, read_cloud
+from ..cloud.region import cropped
 from .bridge import points_of
 from .passing_document import passing_document
 
@@ -27,19 +28,20 @@ Array = NDArray[np.float64]
 _read_before: dict[Path, PointCloud] = {}
 
 
-def read_source(path: Path, progress: Any = None) -> PointCloud:
-    """Read a cloud's file, its numbers as they are.
+def read_source(path: Path, progress: Any = None, region: ArrayLike | None = None) -> PointCloud:
+    """Read a cloud's file, its numbers as they are; of a region only the points in it.
 
     Raises
     ------
-    ValueError: a file that is missing, of an unknown kind, damaged or without points.
+    ValueError: a file that is missing, of an unknown kind, damaged or without points, also in the
+        region.
     """
     known = _read_before.get(path.resolve())
     if known is not None:
-        return known
+        return known if region is None else cropped(known, region)
     reader = _READERS.get(path.suffix.lower())
     if reader is None:
-        return read_cloud(path, progress=progress)
+        return read_cloud(path, region=region, progress=progress)
     if not path.is_file():
         raise ValueError(f"{path} cannot be read: there is no such file. Check the path.")
     try:
@@ -51,7 +53,7 @@ def read_source(path: Path, progress: Any = None) -> PointCloud:
         ) from error
     if len(points) == 0:
         raise ValueError(f"{path.name} holds no points. Check how the file was written.")
-    return PointCloud(points)
+    return PointCloud(points) if region is None else cropped(PointCloud(points), region)
 
 
 def needs_freecad(path: Path) -> bool:

@@ -12,8 +12,8 @@ from typing import Any
 from ..cloud import PartOfCloud, compensate_cloud
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud, probe_radius_of
-from .computed_cloud import ComputedCloudProxy, write_points
-from .computed_object import MESSAGE, ORIGIN, Task, result
+from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
+from .computed_object import Task, result
 from .declared_properties import Declared
 from .linked_geometry import require_cloud
 
@@ -22,9 +22,7 @@ __all__ = ["CompensatedCloudProxy", "make_compensated_cloud", "require_probe"]
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Compensated cloud", "The cloud of centres of a ball"),
     result("Length", "ProbeRadius", "Always 0: the points lie on the part's surface"),
-    result("Integer", "PointCount", "Number of points"),
-    MESSAGE,
-    ORIGIN,
+    *WRITTEN_POINTS,
 )
 
 
@@ -60,8 +58,6 @@ class CompensatedCloudProxy(ComputedCloudProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """The cloud with its probe."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose one, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
 
     def task(self, obj: Any) -> Task:

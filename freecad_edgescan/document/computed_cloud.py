@@ -8,14 +8,17 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from .bridge import kernel_from_array
-from .computed_object import ComputedProxy
+from .computed_object import MESSAGE, ORIGIN, ComputedProxy, result
 from .native_curve import vector
 
-__all__ = ["ComputedCloudProxy", "write_points"]
+__all__ = ["WRITTEN_POINTS", "ComputedCloudProxy", "write_points"]
+
+WRITTEN_POINTS = (result("Integer", "PointCount", "Number of points"), MESSAGE, ORIGIN)
+"""What `write_points` writes besides the points."""
 
 
 class ComputedCloudProxy(ComputedProxy):
-    """Of a Points::FeaturePython with the properties PointCount, Message and Origin."""
+    """Of a Points::FeaturePython with the properties of `WRITTEN_POINTS`."""
 
     def is_empty(self, obj: Any) -> bool:
         """Whether it has no points."""

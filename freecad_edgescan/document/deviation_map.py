@@ -26,7 +26,8 @@ from .computed_cloud import ComputedCloudProxy, write_points
 from .computed_object import MESSAGE, ORIGIN, Task, result
 from .declared_properties import Declared, Role
 from .deviation_from_shape import MeasurableShape, write_deviations
-from .linked_geometry import require_cloud, require_shape, shape_inputs
+from .given_numbers import length_or_zero
+from .linked_geometry import face_inputs, linked_faces, require_cloud, require_shape
 
 __all__ = [
     "DeviationMapProxy",
@@ -103,13 +104,11 @@ def make_deviation_map(
     """
     require_cloud(cloud)
     require_shape("surface", [surface])
-    for what, value in (("reach", reach), ("limit", limit)):
-        if not value >= 0.0:
-            raise ValueError(f"The {what} is {value} mm; give 0 or a positive length.")
+    reach, limit = length_or_zero("reach", reach), length_or_zero("limit", limit)
     obj = doc.addObject("Points::FeaturePython", name)
     DeviationMapProxy(obj)
     obj.Cloud, obj.Surface = cloud, surface
-    obj.Reach, obj.Limit = float(reach), float(limit)
+    obj.Reach, obj.Limit = reach, limit
     return obj
 
 
@@ -120,16 +119,15 @@ class DeviationMapProxy(ComputedCloudProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud, all faces of the surface, reach and limit."""
-        if obj.Cloud is None or obj.Surface is None:
-            raise ValueError("A cloud or surface is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
-        yield from shape_inputs(obj.Surface.Shape)
+        yield from face_inputs(linked_faces(obj.Surface, "surface"))
         yield from (obj.Reach.Value, obj.Limit.Value)
 
     def task(self, obj: Any) -> Task:
         """What measures the points: those within reach, and their deviations."""
         cloud, shape = point_cloud(obj.Cloud), MeasurableShape(obj.Surface.Shape)
-        reach = obj.Reach.Value or np.inf
+        reach = length_or_zero("reach", obj.Reach.Value) or np.inf
+        length_or_zero("limit", obj.Limit.Value)
         labels = obj.Cloud.Label, obj.Surface.Label
 
         def measure(progress: Progress | None) -> Measured:

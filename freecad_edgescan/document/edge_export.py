@@ -26,7 +26,7 @@ def export_csv(objects: Sequence[Any], path: str | PathLike[str]) -> None:
 
     Parameters
     ----------
-    objects : scanned edges or boundaries of a document
+    objects : scanned edges, boundaries or networks of a document
     path : of the file. Coordinates are true ones: each object's placement and ``Origin`` count.
 
     Raises

@@ -9,26 +9,47 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ..scanning import EdgeNetwork, Progress, find_edges
+from ..scanning import EdgeNetwork, Progress, Stop
 from ..scanning.automatic import MIN_ANGLE
+from ..scanning.edge_choice import EdgeChoice
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
-from .declared_properties import Declared
+from .computed_shape import write_shape
+from .declared_properties import Declared, Role
 from .edge_network_shape import network_shape
+from .given_numbers import least_angle, length_or_zero, whole_number
 from .linked_geometry import require_cloud
 from .native_curve import vector
+from .network_search import NetworkSearch
 
-__all__ = ["EdgeNetworkProxy", "make_edge_network"]
+__all__ = [
+    "EdgeNetworkProxy",
+    "change_edge_network",
+    "choice_of",
+    "make_edge_network",
+]
+
+
+def _list(kind: str, name: str, tooltip: str) -> Declared:
+    return Declared(kind, name, "Edge points", tooltip, Role.HIDDEN_RESULT)
+
 
 _PROPERTIES = (
     Declared("LinkGlobal", "Cloud", "Network", "The cloud whose edges are sought"),
     Declared("Angle", "MinAngle", "Network", "Least turn between the two sides of an edge"),
-    Declared("Length", "MinLength", "Network", "Of an edge; 0: eight times the cloud's pitch"),
-    Declared("Length", "MaxSigma", "Network", "Edges known worse than that are left out; 0: none"),
+    Declared("Distance", "MinLength", "Network", "Of an edge; 0: eight times the cloud's pitch"),
+    Declared(
+        "Distance", "MaxSigma", "Network", "Edges known worse than that are left out; 0: none"
+    ),
+    Declared("VectorList", "Dropped", "Network", "A point on each edge that is left out by hand"),
+    Declared("VectorList", "Kept", "Network", "A point on each edge that is kept all the same"),
+    Declared(
+        "Integer", "MostEdges", "Network", "The search ends when it has found so many; 0: all"
+    ),
     result("Integer", "EdgeCount", "Number of edges"),
     result("Integer", "CornerCount", "Number of corners in which edges meet"),
     result("Length", "TotalLength", "Of all edges"),
@@ -39,6 +60,9 @@ _PROPERTIES = (
     result("StringList", "Ends", "Of each edge: the corners it ends in, or why it ends"),
     MESSAGE,
     ORIGIN,
+    _list("VectorList", "Points", "Edge points of all edges, document coordinates"),
+    _list("FloatList", "Sigma", "Standard deviation of the edge points, mm"),
+    _list("IntegerList", "EdgeNumbers", "Which edge each of them belongs to, from 1"),
 )
 
 
@@ -49,6 +73,10 @@ def make_edge_network(
     min_length: float = 0.0,
     max_sigma: float = 0.0,
     name: str = "EdgeNetwork",
+    *,
+    dropped: ArrayLike = (),
+    kept: ArrayLike = (),
+    most_edges: int = 0,
 ) -> Any:
     """Make the network of all edges of a cloud; `doc.recompute()` finds them.
 
@@ -60,6 +88,9 @@ def make_edge_network(
     min_length : of an edge, mm; 0: eight times the cloud's pitch
     max_sigma : mm; edges whose median standard deviation is larger are left out; 0: none is
     name : of the object
+    dropped : (k, 3) document coordinates, mm; a point on each edge that is left out besides
+    kept : (k, 3) a point on each edge that is kept whatever its length, turn and sigma
+    most_edges : the search ends when it has found so many; 0: it finds all
 
     Returns
     -------
@@ -70,17 +101,59 @@ def make_edge_network(
     ValueError: something that is no point cloud, or numbers that cannot work; nothing is made.
     """
     require_cloud(cloud)
-    if not 0.0 < min_angle < np.pi:
-        raise ValueError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
-    for what, value in (("length", min_length), ("sigma", max_sigma)):
-        if not 0.0 <= value < np.inf:
-            raise ValueError(f"The {what} is {value!r}; give 0 or a positive length in mm.")
+    choice = _checked(min_angle, min_length, max_sigma, dropped, kept)
+    most = whole_number("number of edges at most", most_edges, 0)
     obj = doc.addObject("Part::FeaturePython", name)
     EdgeNetworkProxy(obj)
     obj.Cloud = cloud
-    obj.MinAngle = float(np.degrees(min_angle))
-    obj.MinLength, obj.MaxSigma = float(min_length), float(max_sigma)
+    _write_inputs(obj, choice, most)
     return obj
+
+
+def change_edge_network(
+    network: Any,
+    min_angle: float = MIN_ANGLE,
+    min_length: float = 0.0,
+    max_sigma: float = 0.0,
+    *,
+    dropped: ArrayLike = (),
+    kept: ArrayLike = (),
+    most_edges: int = 0,
+) -> None:
+    """Choose edges of a network anew; `doc.recompute()` takes them.
+
+    Parameters
+    ----------
+    network : made by `make_edge_network`
+    others : as there
+
+    Raises
+    ------
+    ValueError: something that is no network, or numbers that cannot work; nothing is changed.
+    """
+    if type(getattr(network, "Proxy", None)).__name__ != "EdgeNetworkProxy":
+        raise ValueError(
+            f"{getattr(network, 'Label', network)!r} is no network of edges; "
+            "make one with make_edge_network(doc, cloud)."
+        )
+    choice = _checked(min_angle, min_length, max_sigma, dropped, kept)
+    _write_inputs(network, choice, whole_number("number of edges at most", most_edges, 0))
+
+
+def choice_of(network: Any) -> EdgeChoice:
+    """Which of the edges found a network object keeps.
+
+    Raises
+    ------
+    ValueError: its properties hold numbers that cannot work.
+    """
+    return _checked(
+        np.radians(network.MinAngle.Value),
+        network.MinLength.Value,
+        network.MaxSigma.Value,
+        _places(network.Dropped),
+        _places(network.Kept),
+    )
 
 
 class EdgeNetworkProxy(ComputedProxy):
@@ -90,36 +163,83 @@ class EdgeNetworkProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """The cloud, and which edges are wanted."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose it, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield from (obj.MinAngle.Value, obj.MinLength.Value, obj.MaxSigma.Value)
+        yield from (_places(obj.Dropped), _places(obj.Kept), obj.MostEdges)
 
     def task(self, obj: Any) -> Task:
-        """What finds the edges."""
-        cloud, angle = point_cloud(obj.Cloud), float(np.radians(obj.MinAngle.Value))
-        shortest, worst = obj.MinLength.Value or None, obj.MaxSigma.Value
+        """What finds the edges, and takes those that are wanted."""
+        cloud, choice = point_cloud(obj.Cloud), choice_of(obj)
+        most = whole_number("number of edges at most", obj.MostEdges, 0)
 
         def find(progress: Progress | None) -> EdgeNetwork:
-            network = find_edges(cloud, angle, shortest, progress)
-            network = network.filtered(max_sigma=worst) if worst else network
+            search = NetworkSearch.wide_enough(choice, cloud.pitch, most)
+            found = search(cloud, progress)
+            if not len(found):
+                raise ValueError(found.message)
+            network = choice.of(found)
             if not len(network):
-                raise ValueError(network.message)
+                raise ValueError(
+                    f"None of the {len(found)} edges found is kept: they are shorter, turn less or "
+                    "have a larger sigma than wanted, or were dropped by hand. Ask for less."
+                )
             return network
 
         return find
 
     def write(self, obj: Any, result: EdgeNetwork) -> None:
         """Write the edges and their corners."""
-        shape = network_shape(result)
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, network_shape(result), result.message, origin_of(obj.Cloud))
         obj.EdgeCount, obj.CornerCount = len(result), len(result.corners)
         obj.TotalLength = result.length
         obj.Corners = [vector(corner) for corner in result.corners]
         obj.Misclosures = result.corner_misclosure.tolist()
         obj.Sigmas = [float(np.median(edge.sigma)) for edge in result.edges]
         obj.Angles = [float(np.degrees(np.median(edge.angle))) for edge in result.edges]
-        obj.Ends = [f"{start} to {end}" for start, end in result.ends]
-        obj.Message = result.message
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+        obj.Ends = [f"{_named(start)} to {_named(end)}" for start, end in result.ends]
+        obj.Points = [vector(point) for edge in result.edges for point in edge.points]
+        obj.Sigma = [float(value) for edge in result.edges for value in edge.sigma]
+        obj.EdgeNumbers = [
+            number for number, edge in enumerate(result.edges, start=1) for _ in range(len(edge))
+        ]
+
+
+def _named(end: int | Stop) -> str:
+    return end.name if isinstance(end, Stop) else f"corner {end + 1}"
+
+
+def _write_inputs(obj: Any, choice: EdgeChoice, most: int) -> None:
+    obj.MinAngle = float(np.degrees(choice.min_angle))
+    obj.MinLength = choice.min_length
+    obj.MaxSigma = choice.max_sigma if np.isfinite(choice.max_sigma) else 0.0
+    obj.Dropped = [vector(place) for place in choice.dropped]
+    obj.Kept = [vector(place) for place in choice.kept]
+    obj.MostEdges = most
+
+
+def _checked(
+    min_angle: float, min_length: float, max_sigma: float, dropped: ArrayLike, kept: ArrayLike
+) -> EdgeChoice:
+    return EdgeChoice(
+        least_angle(min_angle),
+        length_or_zero("least length", min_length),
+        length_or_zero("largest sigma", max_sigma) or np.inf,
+        _checked_places("dropped", dropped),
+        _checked_places("kept", kept),
+    )
+
+
+def _checked_places(what: str, places: ArrayLike) -> np.ndarray:
+    rows = np.asarray(places, dtype=np.float64)
+    if rows.size == 0:
+        return np.zeros((0, 3))
+    if rows.ndim != 2 or rows.shape[1] != 3 or not np.isfinite(rows).all():
+        raise ValueError(
+            f"The places of {what} edges are {rows.tolist()}; give a list of points, three finite "
+            "coordinates in mm each."
+        )
+    return rows
+
+
+def _places(vectors: Any) -> np.ndarray:
+    return np.array([tuple(place) for place in vectors], dtype=np.float64).reshape(-1, 3)

@@ -10,6 +10,7 @@ import FreeCAD  # noqa: F401 (before Part, which ends the process otherwise)
 import numpy as np
 import Part
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from ..scanning import EdgeNetwork, ScannedEdge, Stop
 from .native_curve import curve_shape, vector
@@ -37,17 +38,19 @@ def network_edges(network: EdgeNetwork) -> list[Any]:
 def network_shape(network: EdgeNetwork) -> Any:
     """A compound of the native edges; where edges meet they share one vertex."""
     compound = Part.Compound(network_edges(network))
-    firsts: list[Any] = []
-    places: list[Array] = []
-    instead = []
-    for vertex in compound.Vertexes:
-        place = np.array(vertex.Point)
-        near = [k for k, other in enumerate(places) if np.abs(other - place).max() < _LEAST]
-        if near and not vertex.isSame(firsts[near[0]]):
-            instead.append((vertex, firsts[near[0]]))
-        elif not near:
-            firsts.append(vertex)
-            places.append(place)
+    vertices = compound.Vertexes
+    for vertex in vertices:
+        # Whether it begins an edge or ends it; the other one that takes its place does that, too.
+        vertex.Orientation = "Forward"
+    if not vertices:
+        return compound
+    places = np.array([tuple(vertex.Point) for vertex in vertices])
+    firsts = [vertices[min(near)] for near in cKDTree(places).query_ball_point(places, _LEAST)]
+    instead = [
+        (vertex, first)
+        for vertex, first in zip(vertices, firsts, strict=True)
+        if not vertex.isSame(first)
+    ]
     return compound.replaceShape(instead) if instead else compound
 
 

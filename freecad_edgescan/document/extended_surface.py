@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
-
 from ..geometry import BSplineSurface
 from ..surfacing import Side, extend_surface
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
+from .computed_shape import write_shape
 from .declared_properties import Declared
+from .given_numbers import finite_number, positive_number
 from .linked_geometry import linked_surface, require_shape
 from .native_surface import surface_shape
 
@@ -75,12 +75,12 @@ def make_extended_surface(
     require_shape("base surface", [base])
     if str(side) not in _SIDES:
         raise ValueError(f"A surface has no side {side!r}; choose {', '.join(_SIDES)}.")
-    if not ratio > 0.0:
-        raise ValueError(f"The ratio of the extension is {ratio}; give a positive number.")
+    ratio = positive_number("ratio of the extension", ratio)
+    tau = None if tau is None else finite_number("τ of the extension", tau)
     obj = doc.addObject("Part::FeaturePython", name)
     ExtendedSurfaceProxy(obj)
-    obj.Base, obj.Side, obj.Ratio = base, str(side), float(ratio)
-    obj.UseTau, obj.Tau = tau is not None, float(tau or 0.0)
+    obj.Base, obj.Side, obj.Ratio = base, str(side), ratio
+    obj.UseTau, obj.Tau = tau is not None, tau or 0.0
     return obj
 
 
@@ -97,13 +97,11 @@ class ExtendedSurfaceProxy(ComputedProxy):
     def task(self, obj: Any) -> Task:
         """What extends the surface."""
         surface = linked_surface(obj.Base, "base surface")
-        side, ratio, tau = obj.Side, obj.Ratio, obj.Tau if obj.UseTau else None
+        side, ratio = obj.Side, positive_number("ratio of the extension", obj.Ratio)
+        tau = finite_number("τ of the extension", obj.Tau) if obj.UseTau else None
         return lambda _progress: extend_surface(surface, side, ratio, tau)
 
     def write(self, obj: Any, result: BSplineSurface) -> None:
         """Write the longer surface."""
         shape = surface_shape(result)
-        shape.Placement = obj.Placement
-        obj.Shape = shape
-        obj.Message = ""
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Base))
+        write_shape(obj, shape, "", origin_of(obj.Base))

@@ -10,8 +10,6 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import Any
 
-import FreeCAD
-
 from ..cloud import compensate_cloud
 from ..cloud.progress import Stage
 from ..geometry import BSplineSurface
@@ -20,8 +18,10 @@ from ..surfacing import SurfaceFit, base_surface, fit_surface
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
+from .given_numbers import length_or_zero, positive_length, whole_number
 from .linked_geometry import linked_curve, linked_surface, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
@@ -105,12 +105,15 @@ def make_fitted_surface(
             f"{len(edges)} edges {'and a base surface ' if base is not None else ''}are given; "
             "give a base surface, or four edges round the surface, or none of both."
         )
+    distance = positive_length("distance", distance)
+    tolerance = length_or_zero("tolerance", 0.0 if tolerance is None else tolerance)
+    poles, degree = _form((0, 0) if control_points is None else control_points, degree)
     obj = doc.addObject("Part::FeaturePython", name)
     FittedSurfaceProxy(obj)
-    obj.Cloud, obj.Base, obj.Edges, obj.Distance = cloud, base, edges, float(distance)
-    obj.PolesU, obj.PolesV = (0, 0) if control_points is None else map(int, control_points)
-    obj.DegreeU, obj.DegreeV = map(int, degree)
-    obj.Tolerance = float(tolerance or 0.0)
+    obj.Cloud, obj.Base, obj.Edges, obj.Distance = cloud, base, edges, distance
+    obj.PolesU, obj.PolesV = poles or (0, 0)
+    obj.DegreeU, obj.DegreeV = degree
+    obj.Tolerance = tolerance
     return obj
 
 
@@ -123,7 +126,7 @@ class FittedSurfaceProxy(ComputedProxy):
         """Cloud, base surface, and the surface's form."""
         yield None if obj.Base is None else linked_surface(obj.Base, "base surface")
         yield from (linked_curve(edge, "edge") for edge in obj.Edges)
-        yield "" if obj.Cloud is None else cloud_checksum(obj.Cloud)
+        yield cloud_checksum(obj.Cloud)
         yield from (obj.Distance.Value, obj.Tolerance.Value)
         yield from (obj.PolesU, obj.PolesV, obj.DegreeU, obj.DegreeV)
 
@@ -131,10 +134,8 @@ class FittedSurfaceProxy(ComputedProxy):
         """What fits the surface."""
         near = points_near_base(obj.Cloud, obj.Distance.Value)
         base_of = self._base(obj)
-        automatic = obj.PolesU == 0 and obj.PolesV == 0
-        control_points = None if automatic else (int(obj.PolesU), int(obj.PolesV))
-        degree = int(obj.DegreeU), int(obj.DegreeV)
-        tolerance = obj.Tolerance.Value or None
+        control_points, degree = _form((obj.PolesU, obj.PolesV), (obj.DegreeU, obj.DegreeV))
+        tolerance = length_or_zero("tolerance", obj.Tolerance.Value) or None
 
         def fit(progress: Progress | None) -> SurfaceFit:
             base, said = base_of(progress and Stage(progress, 0.0, 0.3))
@@ -172,8 +173,19 @@ class FittedSurfaceProxy(ComputedProxy):
     def write(self, obj: Any, result: SurfaceFit) -> None:
         """Write surface and numbers."""
         shape = surface_shape(result.surface)
-        shape.Placement = obj.Placement
-        obj.Shape = shape
-        obj.Message = result.message
+        write_shape(obj, shape, result.message, origin_of(obj.Cloud))
         write_fit_numbers(obj, result)
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+
+
+def _form(
+    control_points: Sequence[Any], degree: Sequence[Any]
+) -> tuple[tuple[int, int] | None, tuple[int, int]]:
+    """Control points in u and v, None where they are both 0, and the degrees."""
+    p, q = (whole_number(f"degree in {u}", own, 1) for u, own in zip("uv", degree, strict=True))
+    if all(count == 0 for count in control_points):
+        return None, (p, q)
+    m, n = (
+        whole_number(f"number of control points in {u}", count, own + 1)
+        for u, count, own in zip("uv", control_points, (p, q), strict=True)
+    )
+    return (m, n), (p, q)

@@ -10,11 +10,14 @@ from typing import Any
 import FreeCAD  # before Part, which ends the process otherwise
 import numpy as np
 import Part
+from numpy.typing import NDArray
 
 from ..cloud import TrueEdge
 from .sharp_edges import true_edges
 
 __all__ = ["KnownPart", "block_with_bore", "filleted", "sharp_part", "simple_parts"]
+
+Array = NDArray[np.float64]
 
 _ROOM = 5.0  # pitches between two fillets' beginnings at least
 
@@ -29,12 +32,18 @@ class KnownPart:
     shape : Part.Shape that is scanned
     edges : the true edges that are sought, sharp also where the shape has fillets
     others : the other true edges, which a scan may go on to
+    fillet : radius, mm, of the fillets on the edges that are sought; 0: they are sharp
     """
 
     name: str
     shape: Any
     edges: tuple[TrueEdge, ...]
     others: tuple[TrueEdge, ...] = ()
+    fillet: float = 0.0
+
+    def side_left(self, truth: TrueEdge) -> Array:
+        """Width (k,) of the sides between one edge's fillet and the next, mm."""
+        return np.asarray(truth.room - 2.0 * _begins(truth, self.fillet))
 
 
 def sharp_part(name: str, shape: Any) -> KnownPart:
@@ -59,7 +68,7 @@ def simple_parts() -> tuple[KnownPart, ...]:
     )
     return (
         KnownPart("two planes", box, (on_box,)),
-        KnownPart("two planes, fillet 2 mm", box.makeFillet(2.0, [edge]), (on_box,)),
+        KnownPart("two planes, fillet 2 mm", box.makeFillet(2.0, [edge]), (on_box,), fillet=2.0),
         KnownPart("cylinder rim", cylinder, (on_rim,)),
     )
 
@@ -90,7 +99,7 @@ def filleted(name: str, shape: Any, radius: float, pitch: float) -> KnownPart:
     if not done:
         raise ValueError(f"No edge of {name} can be rounded with a radius of {radius:g} mm.")
     others = tuple(edge for edge in edges if not any(edge is truth for truth in done))
-    return KnownPart(f"{name}, fillets {radius:.3g} mm", rounded, tuple(done), others)
+    return KnownPart(f"{name}, fillets {radius:.3g} mm", rounded, tuple(done), others, radius)
 
 
 def _all_rounded(shape: Any, edges: Sequence[TrueEdge], radius: float) -> Any | None:
@@ -126,9 +135,14 @@ def _is_straight(truth: TrueEdge) -> bool:
 
 def _has_room(truth: TrueEdge, radius: float, pitch: float) -> bool:
     """Whether two fillets and a side between them fit to the next edge, and along it, too."""
-    begins = radius / np.tan(0.5 * float(np.median(truth.angle)))
+    begins = _begins(truth, radius)
     needed = 2.0 * begins + _ROOM * pitch
     return bool(np.median(truth.room) >= needed) and truth.length > 2.0 * begins + 12.0 * pitch
+
+
+def _begins(truth: TrueEdge, radius: float) -> float:
+    """How far from an edge a fillet touches its sides, mm."""
+    return radius / float(np.tan(0.5 * np.median(truth.angle)))
 
 
 def _middle(truth: TrueEdge) -> Any:

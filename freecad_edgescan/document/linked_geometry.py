@@ -3,14 +3,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
 from ..geometry import BSplineCurve, BSplineSurface
 from .native_curve import curve_of
 from .native_surface import surface_of
 
-__all__ = ["linked_curve", "linked_surface", "require_cloud", "require_shape", "shape_inputs"]
+__all__ = [
+    "face_inputs",
+    "linked_curve",
+    "linked_faces",
+    "linked_surface",
+    "require_cloud",
+    "require_shape",
+]
 
 
 def linked_curve(obj: Any, what: str) -> BSplineCurve:
@@ -18,8 +25,10 @@ def linked_curve(obj: Any, what: str) -> BSplineCurve:
 
     Raises
     ------
-    ValueError: it is no single curve.
+    ValueError: nothing is linked, or what is no single curve.
     """
+    if obj is None:
+        raise ValueError(f"The {what} is missing; choose one, or undo its deletion.")
     return curve_of(obj.Shape, f"{what} {obj.Label!r}")
 
 
@@ -31,13 +40,30 @@ def linked_surface(obj: Any, what: str) -> BSplineSurface:
     ValueError: nothing is linked, or not one face.
     """
     if obj is None:
-        raise ValueError(f"There is no {what}; choose one, or undo its deletion.")
+        raise ValueError(f"The {what} is missing; choose one, or undo its deletion.")
     return surface_of(obj.Shape, f"{what} {obj.Label!r}")
 
 
-def shape_inputs(shape: Any) -> Iterator[object]:
-    """What depends on all faces of a shape depends on: their surfaces, and where these end."""
-    for face in [] if shape.isNull() else shape.Faces:
+def linked_faces(obj: Any, what: str) -> list[Any]:
+    """All faces of a linked object, one at least; `what` is its part, such as "surface".
+
+    Raises
+    ------
+    ValueError: nothing is linked, or what has no face.
+    """
+    if obj is None:
+        raise ValueError(f"The {what} is missing; choose one, or undo its deletion.")
+    faces = [] if obj.Shape.isNull() else list(obj.Shape.Faces)
+    if not faces:
+        raise ValueError(
+            f"The {what} {obj.Label!r} has no face; recompute the document, or choose another."
+        )
+    return faces
+
+
+def face_inputs(faces: Iterable[Any]) -> Iterator[object]:
+    """What depends on faces depends on: their surfaces, and where these end."""
+    for face in faces:
         yield surface_of(face)
         yield from (round(value, 6) for value in (*face.ParameterRange, face.Length))
 

@@ -28,11 +28,9 @@ __all__ = ["PartReport", "read_part", "report_part"]
 Array = NDArray[np.float64]
 
 TRACED = 0.9  # share of a true edge from which on it counts as found
-_ROOM, _LONG, _RMS = (
-    5.0,
-    12.0,
-    0.25,
-)  # pitches: what a scan needs of an edge, and how well it finds it
+# Pitches: what a scan needs of an edge, and how well it finds it.
+_ROOM, _LONG, _RMS = 5.0, 12.0, 0.25
+_OF_RADIUS = 0.02  # how much worse than the noise an edge may be known under a fillet
 
 
 @dataclass(frozen=True)
@@ -41,15 +39,16 @@ class PartReport:
 
     Attributes
     ----------
-    name : of the part
+    part : what was scanned
     cloud : the simulated scan
-    pitch : of it, mm
+    pitch, noise : of it, mm
     rows : one for each sharp edge
     """
 
-    name: str
+    part: KnownPart
     cloud: SimulatedCloud
     pitch: float
+    noise: float
     rows: tuple[EdgeReport, ...]
 
     @property
@@ -80,7 +79,7 @@ class PartReport:
         errors = np.concatenate([np.zeros(0), *(row.errors for row in self.traced)])
         wandering = sum(row.wandering for row in self.rows)
         lines = [
-            f"{self.name}: {len(self.cloud)} points, {len(self.rows)} sharp edges; "
+            f"{self.part.name}: {len(self.cloud)} points, {len(self.rows)} sharp edges; "
             f"{len(self.traced)} of them traced along at least {TRACED:.0%} of their length."
         ]
         if len(errors):
@@ -97,6 +96,7 @@ class PartReport:
                 f"(true ones: {TRUE_MEDIAN:.2f}, {TRUE_95:.2f})."
             )
         lines += self._by_room()
+        lines += self._under_fillets()
         lines.append(
             f"Edge points farther than {WANDERING:g} pitches from every true edge: {wandering}."
         )
@@ -119,6 +119,24 @@ class PartReport:
                     f"{_RMS:g} pitches (median {middle:.4f} mm)."
                 )
         return lines
+
+    def _under_fillets(self) -> list[str]:
+        """How many of the original sharp edges are met under their fillets."""
+        radius = self.part.fillet
+        if not radius:
+            return []
+        allowed = self.noise + _OF_RADIUS * radius
+        near = [row.rms <= allowed for row in self.rows]
+        wide = [
+            bool(np.min(self.part.side_left(row.truth)) >= _ROOM * self.pitch) for row in self.rows
+        ]
+        both = sum(n and w for n, w in zip(near, wide, strict=True))
+        return [
+            f"Under fillets of {radius:g} mm: {sum(near)} of {len(near)} with an rms error of at "
+            f"most one noise sigma and {_OF_RADIUS:.0%} of the radius ({allowed:.3g} mm); of those "
+            f"with {_ROOM:g} pitches of side between their fillet and the next all along, {both} "
+            f"of {sum(wide)}."
+        ]
 
     def _has_room(self, row: EdgeReport) -> bool:
         room = float(np.min(row.truth.room))
@@ -179,7 +197,7 @@ def report_part(
         if progress is not None and not progress.update(number / len(sought), truth.name):
             break
         rows.append(report_edge(cloud, truth, pitch, others))
-    return PartReport(part.name, cloud, pitch, tuple(rows))
+    return PartReport(part, cloud, pitch, noise, tuple(rows))
 
 
 def _line(row: EdgeReport) -> str:

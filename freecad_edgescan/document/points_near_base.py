@@ -13,6 +13,7 @@ from ..geometry import BSplineSurface
 from ..scanning import Progress
 from ..surfacing.compensated_segment import compensated_segment
 from .cloud_cache import point_cloud
+from .given_numbers import positive_length
 
 __all__ = ["points_near_base"]
 
@@ -37,23 +38,12 @@ def points_near_base(
 
     Raises
     ------
-    ValueError: nothing is linked, a segment of probe centres, or a distance that is not positive.
+    ValueError: nothing is linked, or a distance that is not positive.
     """
-    if cloud is None:
-        raise ValueError("There is no cloud; choose one, or undo its deletion.")
     numbers, label = point_cloud(cloud), cloud.Label
     if type(getattr(cloud, "Proxy", None)).__name__ == "CloudSegmentProxy":
-        if numbers.probe_radius > 0.0:
-            raise ValueError(
-                f"The segment {label!r} holds centres of a probe; set its Compensated, so "
-                "that a surface can be fitted to it."
-            )
         return lambda _base, _progress: numbers.points
-    if not distance > 0.0:
-        raise ValueError(
-            f"The distance is {distance:g} mm; give a positive one, within which points of the "
-            "cloud belong to the base surface."
-        )
+    distance = positive_length("distance", distance)
 
     def near(base: BSplineSurface, progress: Progress | None) -> Array:
         points = compensated_segment(numbers, base, distance, progress=progress)

@@ -50,8 +50,9 @@ def write_report(doc: Any, path: str | PathLike[str]) -> None:
     target = Path(path)
     clouds = [item for item in doc.Objects if _is_source(item)]
     edges = [item for item in doc.Objects if _is_edge(item)]
+    networks = [item for item in doc.Objects if hasattr(item, "Misclosures")]
     surfaces = [item for item in doc.Objects if hasattr(item, "Average")]
-    if not clouds and not edges and not surfaces:
+    if not clouds and not edges and not networks and not surfaces:
         raise ValueError(
             f"The document {doc.Label!r} has no cloud, scanned edge or fitted surface to report "
             "on. Import a cloud and scan an edge first."
@@ -59,6 +60,7 @@ def write_report(doc: Any, path: str | PathLike[str]) -> None:
     parts = [f"<h1>{escape(doc.Label)}</h1>"]
     parts += _clouds(clouds, edges)
     parts += _edges(edges)
+    parts += _networks(networks)
     parts += _surfaces(surfaces)
     parts.append('<p class="note">Lengths are mm. Sigma is the standard deviation of an edge '
                  "point across the edge. Made by EdgeScan.</p>")  # fmt: skip
@@ -84,7 +86,7 @@ def _is_source(item: Any) -> bool:
 
 
 def _is_edge(item: Any) -> bool:
-    return hasattr(item, "Sigma") and hasattr(item, "Points") and len(item.Points) > 0
+    return hasattr(item, "Sigma") and hasattr(item, "Stops") and len(item.Points) > 0
 
 
 def _clouds(clouds: Sequence[Any], edges: Sequence[Any]) -> Iterable[str]:
@@ -138,6 +140,19 @@ def _edges(edges: Sequence[Any]) -> Iterable[str]:
         yield _picture(along_picture(edge), "along the edge")
     if len(edges) > _MOST_PLOTS:
         yield f'<p class="note">{len(edges) - _MOST_PLOTS} more edges are in the table only.</p>'
+
+
+def _networks(networks: Sequence[Any]) -> Iterable[str]:
+    titles = ("Edge", "Ends in", "Length", "Angle", "Median sigma")
+    for network in networks:
+        yield f"<h2>{escape(network.Label)}</h2>"
+        yield f"<p>{escape(network.Message)}</p>"
+        each = zip(network.Shape.Edges, network.Ends, network.Angles, network.Sigmas, strict=True)
+        rows = [
+            (f"{number}", ends, f"{edge.Length:.3f}", f"{angle:.1f}°", f"{sigma:.4f}")
+            for number, (edge, ends, angle, sigma) in enumerate(each, start=1)
+        ]
+        yield _table(titles, rows, 2)
 
 
 def _surfaces(surfaces: Sequence[Any]) -> Iterable[str]:

@@ -12,10 +12,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..scanning import Gate, ScanError, ScanParameters, Start
+from ..scanning.start import numbers
 from .cloud_cache import cloud_checksum
 from .scanned_edge_properties import AUTOMATIC, CHOICES, LENGTHS, METHODS, SCHEMA_VERSION
 
-__all__ = ["ScanInputs", "checked_inputs", "input_hash", "read_inputs", "write_inputs"]
+__all__ = [
+    "ScanInputs",
+    "checked_inputs",
+    "checked_point",
+    "input_hash",
+    "read_inputs",
+    "write_inputs",
+]
 
 Array = NDArray[np.float64]
 
@@ -47,8 +55,8 @@ def checked_inputs(
         known = ", ".join(repr(name) for name in METHODS)
         raise ScanError(f"The method is {method!r}; choose one of {known}.")
     return ScanInputs(
-        at if isinstance(at, Start) else _point("click", at),
-        gate if gate is None or isinstance(gate, Gate) else _point("gate", gate),
+        at if isinstance(at, Start) else checked_point("click", at),
+        gate if gate is None or isinstance(gate, Gate) else checked_point("gate", gate),
         parameters or ScanParameters(),
         method,
     )
@@ -104,7 +112,7 @@ def read_inputs(obj: Any) -> ScanInputs:
         values[field] = None if choice == AUTOMATIC else choice
     values["probe_radius"] = obj.ProbeRadius.Value if obj.OwnProbeRadius else None
     values["approach"] = _direction(obj.Approach)
-    place = np.array(obj.At, dtype=float)
+    place = checked_point("click", tuple(obj.At))
     at: Array | Start = place
     across, along = _direction(obj.Across), _direction(obj.Along)
     if across is not None:
@@ -116,7 +124,7 @@ def read_inputs(obj: Any) -> ScanInputs:
         at = Start(place, across, along)
     gate: Array | Gate | None = None
     if obj.UseGate:
-        end = np.array(obj.Gate, dtype=float)
+        end = checked_point("gate", tuple(obj.Gate))
         gate_across = _direction(obj.GateAcross)
         gate = end if gate_across is None else Gate(end, gate_across)
     min_angle = float(np.radians(obj.MinAngle.Value)) or None
@@ -158,12 +166,15 @@ def _as_a_file_keeps_it(value: Any) -> Any:
     return float(f"{value:.12g}") if isinstance(value, float) else value
 
 
-def _point(name: str, value: ArrayLike) -> Array:
-    try:
-        point = np.array(value, dtype=float)
-    except (TypeError, ValueError):
-        point = np.zeros(0)
-    if point.shape != (3,) or not np.all(np.isfinite(point)):
+def checked_point(name: str, value: ArrayLike) -> Array:
+    """A point (3,) that a user gives; `name` says which.
+
+    Raises
+    ------
+    ScanError: no three finite numbers.
+    """
+    point = numbers(value)
+    if point is None:
         raise ScanError(f"The {name} is {value!r}; give three finite coordinates in mm.")
     return point
 

@@ -9,19 +9,22 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-import FreeCAD
 import numpy as np
 import Part
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..scanning import ScannedEdge, scan_boundary
+from ..scanning.automatic import MIN_ANGLE
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared, Role
+from .given_numbers import least_angle
 from .linked_geometry import require_cloud
 from .native_curve import vector
 from .native_edge import edge_shape
+from .scan_inputs import checked_point
 
 __all__ = [
     "ScannedBoundaryProxy",
@@ -74,10 +77,7 @@ def make_scanned_boundary(
     ValueError: no cloud, or places that are no three finite numbers.
     """
     require_cloud(cloud)
-    places = [np.asarray(place, dtype=float) for place in (at, inside)]
-    for what, place in zip(("place near the edge", "place inside"), places, strict=True):
-        if place.shape != (3,) or not np.isfinite(place).all():
-            raise ValueError(f"The {what} is {place.tolist()}; give three finite coordinates, mm.")
+    places = _places(at, inside)
     obj = doc.addObject("Part::FeaturePython", name)
     ScannedBoundaryProxy(obj)
     obj.Cloud = cloud
@@ -92,25 +92,20 @@ class ScannedBoundaryProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud and places."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose one, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield np.array([obj.At, obj.Inside], dtype=float)
         yield obj.MinAngle.Value
 
     def task(self, obj: Any) -> Task:
         """What scans the edges."""
-        cloud, at, inside = point_cloud(obj.Cloud), tuple(obj.At), tuple(obj.Inside)
-        angle = obj.MinAngle.Value
-        choices: dict[str, Any] = {"min_angle": float(np.radians(angle))} if angle else {}
-        return lambda progress: scan_boundary(cloud, at, inside, progress=progress, **choices)
+        cloud, at, inside = point_cloud(obj.Cloud), *_places(tuple(obj.At), tuple(obj.Inside))
+        angle = least_angle(np.radians(obj.MinAngle.Value)) if obj.MinAngle.Value else MIN_ANGLE
+        return lambda progress: scan_boundary(cloud, at, inside, min_angle=angle, progress=progress)
 
     def write(self, obj: Any, result: Sequence[ScannedEdge]) -> None:
         """Write the edges in order."""
         shapes = [edge_shape(edge) for edge in result if len(edge.points) >= 2]
         shape = Part.Compound(shapes)
-        shape.Placement = obj.Placement
-        obj.Shape = shape
         sigma = np.concatenate([edge.sigma for edge in result])
         obj.Points = [vector(point) for edge in result for point in edge.points]
         obj.Sigma = sigma.tolist()
@@ -121,10 +116,14 @@ class ScannedBoundaryProxy(ComputedProxy):
         obj.MeanSigma, obj.LargestSigma = float(sigma.mean()), float(sigma.max())
         obj.Stops = [result[0].stops[0].name, result[-1].stops[1].name]
         if is_closed(result):
-            obj.Message = f"{len(result)} edges, which close round the face."
+            message = f"{len(result)} edges, which close round the face."
         else:
-            obj.Message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Cloud))
+            message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
+        write_shape(obj, shape, message, origin_of(obj.Cloud))
+
+
+def _places(at: ArrayLike, inside: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    return checked_point("place near the edge", at), checked_point("place inside", inside)
 
 
 def is_closed(edges: Sequence[ScannedEdge]) -> bool:

@@ -17,6 +17,7 @@ from ..scanning import Gate, Progress, ScanError, ScannedEdge, ScanParameters, S
 from .bridge import origin_of
 from .cloud_cache import point_cloud, probe_radius_of
 from .declared_properties import declare
+from .linked_geometry import require_cloud
 from .native_edge import edge_shape
 from .refusal import RefusalError
 from .scan_inputs import checked_inputs, input_hash, read_inputs, write_inputs
@@ -61,11 +62,7 @@ def make_scanned_edge(
     ------
     ValueError: something that is no point cloud, or inputs that cannot work; nothing is made.
     """
-    if not getattr(cloud, "isDerivedFrom", lambda _: False)("Points::Feature"):
-        raise ValueError(
-            f"{getattr(cloud, 'Label', cloud)!r} is not a point cloud of the document; "
-            "make one with make_cloud(doc, source)."
-        )
+    require_cloud(cloud)
     inputs = checked_inputs(at, gate, parameters, method)
     obj = doc.addObject("Part::FeaturePython", name)
     ScannedEdgeProxy(obj)

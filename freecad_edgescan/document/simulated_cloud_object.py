@@ -11,10 +11,11 @@ from typing import Any
 
 from ..cloud import CoreBox, SimulatedCloud
 from .cloud_object import make_cloud
-from .computed_cloud import ComputedCloudProxy, write_points
-from .computed_object import MESSAGE, ORIGIN, Task, result
+from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
+from .computed_object import Task
 from .declared_properties import Declared
-from .linked_geometry import require_shape, shape_inputs
+from .given_numbers import length_or_zero, positive_length, whole_number
+from .linked_geometry import face_inputs, linked_faces, require_shape
 from .simulated_shape import simulate_cloud
 
 __all__ = ["SimulatedCloudProxy", "make_core_box", "make_simulated_cloud"]
@@ -31,9 +32,7 @@ _PROPERTIES = (
         "Radius of the ball whose centres the cloud holds; 0: the points lie on the surface",
     ),
     Declared("Integer", "Seed", _GROUP, "The same seed gives the same cloud"),
-    result("Integer", "PointCount", "Number of points"),
-    MESSAGE,
-    ORIGIN,
+    *WRITTEN_POINTS,
 )
 
 
@@ -64,16 +63,14 @@ def make_simulated_cloud(
     ValueError: no shape, a pitch that is not positive, or a negative noise or probe radius.
     """
     require_shape("part", [source])
-    if not pitch > 0.0:
-        raise ValueError(f"The pitch is {pitch} mm; give a positive length.")
-    for what, value in (("noise", noise), ("probe radius", probe_radius)):
-        if not value >= 0.0:
-            raise ValueError(f"The {what} is {value} mm; give 0 or a positive length.")
+    pitch, noise = positive_length("pitch", pitch), length_or_zero("noise", noise)
+    probe_radius = length_or_zero("probe radius", probe_radius)
+    seed = whole_number("seed", seed, 0)
     obj = doc.addObject("Points::FeaturePython", name)
     SimulatedCloudProxy(obj)
     obj.Source = source
-    obj.Pitch, obj.Noise, obj.ProbeRadius = float(pitch), float(noise), float(probe_radius)
-    obj.Seed = int(seed)
+    obj.Pitch, obj.Noise, obj.ProbeRadius = pitch, noise, probe_radius
+    obj.Seed = seed
     return obj
 
 
@@ -96,7 +93,7 @@ def make_core_box(doc: Any, pitch: float = 0.5, small: bool = False, name: str =
     ValueError: no document, or a pitch that cannot work.
     """
     box = CoreBox.small() if small else CoreBox()
-    return make_cloud(doc, box.cloud(pitch), name=name)
+    return make_cloud(doc, box.cloud(positive_length("pitch", pitch)), name=name)
 
 
 class SimulatedCloudProxy(ComputedCloudProxy):
@@ -107,9 +104,7 @@ class SimulatedCloudProxy(ComputedCloudProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces of the source, and how it is scanned."""
-        if obj.Source is None:
-            raise ValueError("The part is missing; choose one, or undo its deletion.")
-        yield from shape_inputs(obj.Source.Shape)
+        yield from face_inputs(linked_faces(obj.Source, "part"))
         yield from (obj.Pitch.Value, obj.Noise.Value, obj.ProbeRadius.Value, obj.Seed)
 
     def task(self, obj: Any) -> Task:

@@ -18,6 +18,7 @@ from scipy.spatial import cKDTree
 
 from ..cloud.simulated_cloud import SimulatedCloud
 from .contacts import Contacts
+from .given_numbers import length_or_zero, positive_length, whole_number
 from .nurbs_face import NurbsFace
 from .rolling_ball import ball_contacts, without_collisions
 from .sharp_edges import true_edges
@@ -58,9 +59,9 @@ def simulate_cloud(
     Raises
     ------
     ValueError: no faces; a pitch that is not positive, or so large that fewer than 20 points are
-        left; a negative noise or probe radius; a ball that fits nowhere.
+        left; a negative noise, probe radius or seed; a ball that fits nowhere.
     """
-    _check(shape, pitch, noise, probe_radius)
+    _check(shape, pitch, noise, probe_radius, seed)
     rng = np.random.default_rng(seed)
     density = _SURPLUS / pitch**2
     exact = shape.copy(True, False)
@@ -96,14 +97,13 @@ def simulate_cloud(
     )
 
 
-def _check(shape: Any, pitch: float, noise: float, probe_radius: float) -> None:
+def _check(shape: Any, pitch: float, noise: float, probe_radius: float, seed: int) -> None:
     if shape.isNull() or not shape.Faces:
         raise ValueError("The shape has no faces to scan; give a solid, a shell or a face.")
-    if not (np.isfinite(pitch) and pitch > 0.0):
-        raise ValueError(f"The pitch is {pitch!r}; give a positive length in mm.")
-    for name, value in (("noise", noise), ("probe radius", probe_radius)):
-        if not (np.isfinite(value) and value >= 0.0):
-            raise ValueError(f"The {name} is {value!r}; give 0 or a positive length in mm.")
+    positive_length("pitch", pitch)
+    length_or_zero("noise", noise)
+    length_or_zero("probe radius", probe_radius)
+    whole_number("seed", seed, 0)
 
 
 def _spread(points: Array, distance: float) -> NDArray[np.intp]:

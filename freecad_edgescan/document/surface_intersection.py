@@ -10,14 +10,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-import FreeCAD
 import Part
 
 from ..scanning import Progress
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
-from .linked_geometry import require_shape, shape_inputs
+from .given_numbers import positive_length
+from .linked_geometry import face_inputs, linked_faces, require_shape
 
 __all__ = ["SurfaceIntersectionProxy", "make_surface_intersection"]
 
@@ -55,11 +56,10 @@ def make_surface_intersection(
     require_shape("surface", [first, second])
     if first is second:
         raise ValueError(f"Both surfaces are {first.Label!r}; choose two different objects.")
-    if not tolerance > 0.0:
-        raise ValueError(f"The tolerance is {tolerance} mm; give a positive length.")
+    tolerance = positive_length("tolerance", tolerance)
     obj = doc.addObject("Part::FeaturePython", name)
     SurfaceIntersectionProxy(obj)
-    obj.First, obj.Second, obj.Tolerance = first, second, float(tolerance)
+    obj.First, obj.Second, obj.Tolerance = first, second, tolerance
     return obj
 
 
@@ -71,14 +71,16 @@ class SurfaceIntersectionProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces of both, and the tolerance."""
-        for face in (*_faces(obj.First), *_faces(obj.Second)):
-            yield from shape_inputs(face)
+        for own in (obj.First, obj.Second):
+            yield from face_inputs(linked_faces(own, "surface"))
         yield obj.Tolerance.Value
 
     def task(self, obj: Any) -> Task:
         """What intersects them: the curves as wires, the longest first."""
-        first, second = (Part.Compound(_faces(own)) for own in (obj.First, obj.Second))
-        tolerance = obj.Tolerance.Value
+        first, second = (
+            Part.Compound(linked_faces(own, "surface")) for own in (obj.First, obj.Second)
+        )
+        tolerance = positive_length("tolerance", obj.Tolerance.Value)
         labels = obj.First.Label, obj.Second.Label
 
         def intersect(_progress: Progress | None) -> list[Any]:
@@ -98,18 +100,6 @@ class SurfaceIntersectionProxy(ComputedProxy):
         wires = result
         shape = wires[0] if len(wires) == 1 else Part.Compound(wires)
         shape = shape.Edges[0] if len(shape.Edges) == 1 else shape
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, "", origin_of(obj.First))
         obj.CurveCount = len(wires)
         obj.Length = sum(float(wire.Length) for wire in wires)
-        obj.Message = ""
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.First))
-
-
-def _faces(obj: Any) -> list[Any]:
-    if obj is None:
-        raise ValueError("A surface is missing; choose one, or undo its deletion.")
-    faces = [] if obj.Shape.isNull() else obj.Shape.Faces
-    if not faces:
-        raise ValueError(f"{obj.Label!r} has no face; recompute the document, or choose another.")
-    return list(faces)

@@ -89,5 +89,8 @@ def _rail_of(obj: Any) -> Any:
 def _wire(edges: list[Any], what: str) -> Any:
     chains = Part.sortEdges(edges)
     if len(chains) != 1:
-        raise ValueError(f"The edges of the {what} form {len(chains)} wires; a sweep needs one.")
+        raise ValueError(
+            f"The edges of the {what} form {len(chains)} wires; a sweep needs one. Select those "
+            "that follow each other, and make a wire of them first."
+        )
     return Part.Wire(chains[0])

@@ -8,6 +8,7 @@ bends the other way these turn over within a millimetre, and the surface shoots 
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,8 @@ Array = NDArray[np.float64]
 
 _SAMPLES = 400  # along the rail
 _ON_A_FACE = (200, 9)  # places of a face that are looked at
+_SMOOTH = 1e-3  # rad, of a turn from edge to edge
+_MITRED = 1  # OpenCASCADE's "right corner"; its usual way flattens the profile past each corner
 _ROOM = 1.05  # share of the profile's reach that no part of the surface may leave
 
 
@@ -47,6 +50,8 @@ def sweep_shape(profile: Any, rail: Any, solid: bool = False) -> tuple[Any, bool
         maker.setBiNormalMode(plane.Axis)
     else:
         maker.setFrenetMode(False)
+    if sharpest_turn(rail) > _SMOOTH:
+        maker.setTransitionMode(_MITRED)
     maker.add(profile)
     try:
         maker.build()
@@ -86,7 +91,8 @@ def require_within_reach(surface: Any, profile: Any, rail: Any) -> None:
     _, nearest, _ = profile.distToShape(rail)
     foot = np.array(nearest[0][1])
     edge = np.concatenate([_samples(part) for part in profile.Edges])
-    reach = np.linalg.norm(edge - foot, axis=1).max()
+    # In a corner the profile is cut at half the turn, and reaches farther there.
+    reach = np.linalg.norm(edge - foot, axis=1).max() / np.cos(0.5 * sharpest_turn(rail))
     way = np.concatenate([_samples(part) for part in rail.Edges])
     step = np.linalg.norm(np.diff(way, axis=0), axis=1).max(initial=0.0)
     away = cKDTree(way).query(_places(surface))[0].max()
@@ -95,6 +101,19 @@ def require_within_reach(surface: Any, profile: Any, rail: Any) -> None:
             f"The swept surface leaves the rail by {away:.3g} mm, the profile only by {reach:.3g}: "
             "its frames turn over. Sweep along a shorter piece, or loft through several profiles."
         )
+
+
+def sharpest_turn(rail: Any) -> float:
+    """The largest turn from one edge of a Part.Wire to the next, rad."""
+    ends = [_directions(edge) for edge in rail.OrderedEdges]
+    pairs = list(pairwise(ends)) + ([(ends[-1], ends[0])] if rail.isClosed() else [])
+    return max((float(before[1].getAngle(after[0])) for before, after in pairs), default=0.0)
+
+
+def _directions(edge: Any) -> tuple[Any, Any]:
+    """Of an edge at its start and its end, along the wire it is in."""
+    first, last = (edge.tangentAt(parameter) for parameter in edge.ParameterRange)
+    return (first, last) if edge.Orientation == "Forward" else (-last, -first)
 
 
 def _samples(edge: Any) -> Array:

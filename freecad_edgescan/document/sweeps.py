@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
+from .linked_geometry import require_shape
 from .sweep_object import SweepProxy
 
 __all__ = ["make_loft", "make_sweep"]
@@ -30,8 +31,8 @@ def make_sweep(doc: Any, profile: Any, rail: Any, name: str = "Sweep") -> Any:
     ------
     ValueError: profile and rail are the same, or one of them has no Shape.
     """
-    for what, obj in (("profile", profile), ("rail", rail)):
-        _check_shape(what, obj)
+    require_shape("profile", [profile])
+    require_shape("rail", [rail])
     if profile is rail:
         raise ValueError(f"Profile and rail are both {rail.Label!r}; choose two different objects.")
     edges = max(1, len(rail.Shape.Edges))
@@ -62,8 +63,7 @@ def make_loft(doc: Any, sections: Sequence[Any], closed: bool = False, name: str
     sections = list(sections)
     if len(sections) < 2:
         raise ValueError(f"A loft needs two sections or more, not {len(sections)}.")
-    for section in sections:
-        _check_shape("section", section)
+    require_shape("section", sections)
     for before, after in pairwise(sections):
         if before is after:
             raise ValueError(
@@ -75,11 +75,3 @@ def make_loft(doc: Any, sections: Sequence[Any], closed: bool = False, name: str
     loft.Ruled = False
     loft.Closed = bool(closed)
     return loft
-
-
-def _check_shape(what: str, obj: Any) -> None:
-    if not hasattr(obj, "Shape"):
-        raise ValueError(
-            f"The {what} {getattr(obj, 'Label', obj)!r} has no shape; "
-            "choose a scanned edge, a sketch or another object with a shape."
-        )

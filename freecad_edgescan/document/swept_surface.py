@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-import FreeCAD
 import numpy as np
 
 from ..cloud.progress import Stage
@@ -25,9 +24,11 @@ from ..surfacing import (
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
 from .exact_sweep import exact_shape
 from .fit_numbers import FIT_RESULTS, write_fit_numbers
+from .given_numbers import length_or_zero, positive_length, whole_number
 from .linked_geometry import linked_curve, require_cloud, require_shape
 from .native_surface import surface_shape
 from .points_near_base import points_near_base
@@ -36,6 +37,8 @@ __all__ = ["SweptSurfaceProxy", "make_swept_surface"]
 
 BETTER = "better"
 MODELS = (BETTER, *(str(model.value) for model in SweepModel))
+
+_FEWEST_POLES = 4  # a cubic has that many
 
 _PROPERTIES = (
     Declared("LinkListGlobal", "Rails", "Sweep", "One or two curves along which profiles move"),
@@ -124,12 +127,14 @@ def make_swept_surface(
         require_cloud(cloud)
     if model not in MODELS:
         raise ValueError(f"There is no sweep model {model!r}; choose {', '.join(MODELS)}.")
+    distance = positive_length("distance", distance)
+    rail_poles, profile_poles = _poles(*control_points)
     obj = doc.addObject("Part::FeaturePython", name)
     SweptSurfaceProxy(obj)
     obj.Rails, obj.Profiles, obj.Cloud = rails, profiles, cloud
     obj.Model = str(model)
-    obj.RailPoles, obj.ProfilePoles = (int(count) for count in control_points)
-    obj.Distance, obj.CutRails = float(distance), bool(cut_rails)
+    obj.RailPoles, obj.ProfilePoles = rail_poles, profile_poles
+    obj.Distance, obj.CutRails = distance, bool(cut_rails)
     return obj
 
 
@@ -160,9 +165,12 @@ class SweptSurfaceProxy(ComputedProxy):
         profiles = tuple(linked_curve(profile, "profile") for profile in obj.Profiles)
         both = obj.Model == BETTER
         model = SweepModel.ROTATE if both else SweepModel(obj.Model)
-        gap, cut = obj.LargestGap.Value, bool(obj.CutRails)
+        gap = length_or_zero("largest gap", obj.LargestGap.Value)
+        cut = bool(obj.CutRails)
+        if obj.Cloud is None:
+            positive_length("tolerance", obj.Tolerance.Value)
         near = None if obj.Cloud is None else points_near_base(obj.Cloud, obj.Distance.Value)
-        poles = int(obj.RailPoles), int(obj.ProfilePoles)
+        poles = _poles(obj.RailPoles, obj.ProfilePoles)
 
         def sweep(progress: Progress | None) -> SweptFit | SweptSurface:
             base = SweptSurface(rails, profiles, model, largest_gap=gap, cut_rails=cut)
@@ -189,13 +197,19 @@ class SweptSurfaceProxy(ComputedProxy):
         kinds = () if sweep is None else sweep_kinds(sweep, tolerance)
         exact = exact_shape(sweep, kinds) if obj.Exact and sweep is not None else None
         shape = surface_shape(surface) if exact is None else exact
-        shape.Placement = obj.Placement
-        obj.Shape = shape
         missing = obj.Exact and exact is None
         said = "The sweep is neither an extrusion nor a revolution." if missing else ""
-        obj.Message = f"{result.message} {said}".strip()
         obj.Kinds = [str(kind.value) for kind in kinds]
         if sweep is not None:
             obj.ModelUsed = str(sweep.model.value)
         origins = [origin_of(own) for own in (*obj.Rails, *([obj.Cloud] if obj.Cloud else []))]
-        obj.Origin = FreeCAD.Vector(*next((own for own in origins if np.any(own)), np.zeros(3)))
+        origin = next((own for own in origins if np.any(own)), np.zeros(3))
+        write_shape(obj, shape, f"{result.message} {said}".strip(), origin)
+
+
+def _poles(rail: Any, profile: Any) -> tuple[int, int]:
+    """Control points of each fitted rail and of each fitted profile."""
+    return (
+        whole_number("number of control points of a rail", rail, _FEWEST_POLES),
+        whole_number("number of control points of a profile", profile, _FEWEST_POLES),
+    )

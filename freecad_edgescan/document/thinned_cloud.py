@@ -12,9 +12,10 @@ from typing import Any
 from ..cloud import PartOfCloud, thin_cloud
 from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
-from .computed_cloud import ComputedCloudProxy, write_points
-from .computed_object import MESSAGE, ORIGIN, Task, result
+from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
+from .computed_object import Task, result
 from .declared_properties import Declared
+from .given_numbers import positive_length
 from .linked_geometry import require_cloud
 
 __all__ = ["ThinnedCloudProxy", "make_thinned_cloud"]
@@ -29,9 +30,7 @@ _PROPERTIES = (
     ),
     result("Length", "ProbeRadius", "Radius of the ball whose centres the points are"),
     result("Vector", "Approach", "Direction the probe came along; (0, 0, 0): not known"),
-    result("Integer", "PointCount", "Number of points"),
-    MESSAGE,
-    ORIGIN,
+    *WRITTEN_POINTS,
 )
 
 
@@ -54,11 +53,10 @@ def make_thinned_cloud(doc: Any, cloud: Any, pitch: float, name: str = "ThinnedC
     ValueError: no cloud, or a pitch that is not positive.
     """
     require_cloud(cloud)
-    if not pitch > 0.0:
-        raise ValueError(f"The pitch is {pitch} mm; give a positive length.")
+    pitch = positive_length("pitch", pitch)
     obj = doc.addObject("Points::FeaturePython", name)
     ThinnedCloudProxy(obj)
-    obj.Cloud, obj.Pitch = cloud, float(pitch)
+    obj.Cloud, obj.Pitch = cloud, pitch
     return obj
 
 
@@ -69,14 +67,12 @@ class ThinnedCloudProxy(ComputedCloudProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """Cloud and pitch."""
-        if obj.Cloud is None:
-            raise ValueError("The cloud is missing; choose one, or undo its deletion.")
         yield cloud_checksum(obj.Cloud)
         yield obj.Pitch.Value
 
     def task(self, obj: Any) -> Task:
         """What thins the cloud."""
-        cloud, pitch = point_cloud(obj.Cloud), obj.Pitch.Value
+        cloud, pitch = point_cloud(obj.Cloud), positive_length("pitch", obj.Pitch.Value)
         return lambda progress: thin_cloud(cloud, pitch, progress)
 
     def write(self, obj: Any, result: PartOfCloud) -> None:

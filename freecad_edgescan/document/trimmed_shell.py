@@ -14,7 +14,6 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import FreeCAD
 import numpy as np
 import Part
 
@@ -22,8 +21,10 @@ from ..geometry import BSplineCurve, BSplineSurface
 from ..geometry.place_text import place_text
 from .bridge import origin_of
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
+from .computed_shape import write_shape
 from .declared_properties import Declared
-from .linked_geometry import linked_curve, require_shape, shape_inputs
+from .given_numbers import positive_length
+from .linked_geometry import face_inputs, linked_curve, linked_faces, require_shape
 from .native_surface import surface_of
 
 __all__ = ["TrimmedShellProxy", "make_trimmed_shell"]
@@ -78,12 +79,11 @@ def make_trimmed_shell(
         raise ValueError("There is no surface to trim; choose one or more.")
     require_shape("surface", surfaces)
     require_shape("edge", edges)
-    if not tolerance > 0.0:
-        raise ValueError(f"The tolerance is {tolerance} mm; give a positive length.")
+    tolerance = positive_length("tolerance", tolerance)
     obj = doc.addObject("Part::FeaturePython", name)
     TrimmedShellProxy(obj)
     obj.Surfaces, obj.Edges = surfaces, edges
-    obj.Tolerance, obj.Solid = float(tolerance), bool(solid)
+    obj.Tolerance, obj.Solid = tolerance, bool(solid)
     return obj
 
 
@@ -95,16 +95,15 @@ class TrimmedShellProxy(ComputedProxy):
 
     def depends_on(self, obj: Any) -> Iterable[object]:
         """All faces, all edges, and how they are joined."""
-        for _, face in _faces(obj.Surfaces):
-            yield from shape_inputs(face)
+        yield from face_inputs(face for _, face in _labelled_faces(obj.Surfaces))
         yield from (linked_curve(edge, "edge") for edge in obj.Edges)
         yield from (obj.Tolerance.Value, obj.Solid)
 
     def task(self, obj: Any) -> Task:
         """What trims and sews."""
-        labelled = _faces(obj.Surfaces)
+        labelled = _labelled_faces(obj.Surfaces)
         surfaces = [surface_of(face) for _, face in labelled]
-        tolerance = obj.Tolerance.Value
+        tolerance = positive_length("tolerance", obj.Tolerance.Value)
         edges = [
             shape
             for item in obj.Edges
@@ -116,12 +115,9 @@ class TrimmedShellProxy(ComputedProxy):
     def write(self, obj: Any, result: _Sewn) -> None:
         """Write shape and figures."""
         shape = result.shape
-        shape.Placement = obj.Placement.multiply(shape.Placement)
-        obj.Shape = shape
+        write_shape(obj, shape, result.message, origin_of(obj.Surfaces[0]))
         obj.Closed, obj.FaceCount = result.closed, len(shape.Faces)
         obj.Area = float(shape.Area)
-        obj.Message = result.message
-        obj.Origin = FreeCAD.Vector(*origin_of(obj.Surfaces[0]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -131,19 +127,11 @@ class _Sewn:
     message: str
 
 
-def _faces(items: Sequence[Any]) -> list[tuple[str, Any]]:
+def _labelled_faces(items: Sequence[Any]) -> list[tuple[str, Any]]:
     """All faces with the labels of their objects."""
     if not items:
         raise ValueError("There is no surface to trim; choose one, or undo its deletion.")
-    found = []
-    for item in items:
-        faces = [] if item.Shape.isNull() else item.Shape.Faces
-        if not faces:
-            raise ValueError(
-                f"{item.Label!r} has no face; recompute the document, or choose another."
-            )
-        found += [(str(item.Label), face) for face in faces]
-    return found
+    return [(str(item.Label), face) for item in items for face in linked_faces(item, "surface")]
 
 
 def _is_where_two_meet(

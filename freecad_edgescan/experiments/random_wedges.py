@@ -47,13 +47,16 @@ class RandomWedge:
         )
 
 
-def make_wedge(number: int, rounded: bool) -> tuple[RandomWedge, PointCloud, np.ndarray, Line]:
+def make_wedge(
+    number: int, rounded: bool, sample: int = 0
+) -> tuple[RandomWedge, PointCloud, np.ndarray, Line]:
     """A wedge, its cloud, a click near its edge (3,) mm, and the edge.
 
     Parameters
     ----------
     number : of the wedge
     rounded : whether half of the wedges have a rounding of up to six pitches
+    sample : of its points; another one is another scan of the same wedge
     """
     rng = np.random.default_rng([number, 99])
     wedge = RandomWedge(
@@ -66,6 +69,8 @@ def make_wedge(number: int, rounded: bool) -> tuple[RandomWedge, PointCloud, np.
         length=float(rng.uniform(15.0, 40.0)),
         spoilt=str(rng.choice(SPOILT)),
     )
+    if sample:
+        rng = np.random.default_rng([number, 99, sample])
     points = _spoilt(_points(wedge, rng), wedge, rng)
     click = np.append(rng.uniform(-0.3, 0.3) * wedge.length, [0.0, 0.0]) + rng.normal(size=3)
     turned = Rotation.random(random_state=rng.integers(2**31))

@@ -8,6 +8,7 @@ the edge, in the standard deviations that the scan states.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -19,7 +20,7 @@ from .honesty import TRUE_95, TRUE_MEDIAN, mahalanobis, median_and_95
 from .processes import Failure
 from .random_wedges import RandomWedge, make_wedge
 
-__all__ = ["Judged", "judge", "search", "wedge_table"]
+__all__ = ["Judged", "by_chance", "judge", "scanned_again", "search", "wedge_table"]
 
 # A scan is wrong when more than this share of its points, or one point, or the root mean square
 # of all is farther off than so many of its own standard deviations.
@@ -68,8 +69,8 @@ class Judged:
         )
 
 
-def judge(task: tuple[int, bool]) -> Judged:
-    """Scan one wedge, by its number and whether it may be rounded, from one click."""
+def judge(task: tuple[int, bool, int]) -> Judged:
+    """Scan one wedge from one click: its number, whether it may be rounded, which of its scans."""
     wedge, cloud, click, truth = make_wedge(*task)
     try:
         edge = scan_edge(cloud, at=click)
@@ -100,7 +101,33 @@ def search(
     ------
     RuntimeError: a scan has failed with something else than a refusal, which is always a fault.
     """
-    tasks = [(number, rounded) for number in range(first, first + count)]
+    tasks = [(number, rounded, 0) for number in range(first, first + count)]
+    return _judged(tasks, jobs, progress)
+
+
+def scanned_again(
+    found: Sequence[Judged],
+    rounded: bool,
+    times: int = 10,
+    jobs: int = 2,
+    progress: Progress | None = None,
+) -> list[Judged]:
+    """The same wedges scanned again, with other points and other noise: is it chance, or they?
+
+    Parameters
+    ----------
+    found : wedges
+    rounded : as they were made
+    times : how often each of them
+    jobs, progress : see `search`
+    """
+    tasks = [(each.wedge.number, rounded, k) for each in found for k in range(1, times + 1)]
+    return _judged(tasks, jobs, progress) if tasks else []
+
+
+def _judged(
+    tasks: list[tuple[int, bool, int]], jobs: int, progress: Progress | None
+) -> list[Judged]:
     found = collect(judge, tasks, jobs, progress, lambda done: f"{len(done)} wedges")
     judged = []
     for number, answer in sorted(found.items(), key=lambda item: item[0]):
@@ -129,3 +156,17 @@ def wedge_table(found: Sequence[Judged]) -> str:
         f"stated, {elsewhere} of these somewhere else."
     )
     return "\n".join(lines)
+
+
+def by_chance(again: Sequence[Judged]) -> str:
+    """How many wedges that were wrong once are wrong again with other points, and which often."""
+    wrong = Counter({judged.wedge.number: 0 for judged in again})
+    wrong.update(judged.wedge.number for judged in again if judged.wrong)
+    times = len(again) // max(len(wrong), 1)
+    mostly = sorted(number for number, count in wrong.items() if count > 0.5 * times)
+    named = f": {', '.join(map(str, mostly))}" if mostly else ""
+    return (
+        f"These {len(wrong)} wedges scanned {times} times more, with other points: "
+        f"{wrong.total()} of {len(again)} scans are farther off than stated; more than half of its "
+        f"scans are with {len(mostly)} of the wedges{named}."
+    )

@@ -14,18 +14,18 @@ from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.scanning import SoFar
 
 from .clicked_cloud import Picked
+from .cloud_panel import CloudPanel
 from .edge_preview import EdgePreview
 from .icons import icon_path
 from .live_edge import LiveEdge
 from .picking import Array
 from .qt import QtGui, QtWidgets
 from .translation import translate
-from .view_panel import ViewPanel
 
 __all__ = ["ClickPanel"]
 
 
-class ClickPanel(ViewPanel):
+class ClickPanel(CloudPanel):
     """The panel; a command gives it its questions, its calculation and its answer.
 
     Parameters

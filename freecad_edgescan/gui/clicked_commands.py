@@ -11,6 +11,7 @@ import FreeCADGui
 from .command import Command
 from .obstacles import no_cloud
 from .translation import translate
+from .view_in_front import view_for_clicks
 
 __all__ = ["clicked_commands"]
 
@@ -89,9 +90,7 @@ def _view_for_clicks(doc: Any) -> Any:
     """
     from .clicked_cloud import visible_clouds
 
-    view = FreeCADGui.ActiveDocument.ActiveView
-    if not hasattr(view, "getSceneGraph"):
-        raise ValueError(translate("Bring a 3D view to the front, then start again."))
+    view = view_for_clicks()
     if not visible_clouds(doc):
         raise ValueError(
             translate(

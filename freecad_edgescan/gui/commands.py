@@ -6,8 +6,10 @@ from __future__ import annotations
 import FreeCAD
 import FreeCADGui
 
+from .all_edges_command import all_edges_command
 from .clicked_commands import clicked_commands
 from .cloud_commands import cloud_commands
+from .edge_wire_command import edge_wire_command
 from .import_cloud_command import import_cloud_command
 from .output_commands import output_commands
 from .surface_commands import surface_commands
@@ -31,7 +33,9 @@ TOOLBARS = {
     QT_TRANSLATE_NOOP("Workbench", "EdgeScan edges"): [
         "EdgeScan_ScanEdge",
         "EdgeScan_ScanBoundary",
+        "EdgeScan_ScanAllEdges",
         "EdgeScan_RecommendParameters",
+        "EdgeScan_EdgeWire",
     ],
     QT_TRANSLATE_NOOP("Workbench", "EdgeScan sweeps"): [
         "EdgeScan_CloudSection",
@@ -56,11 +60,17 @@ _MENU_ONLY = ["EdgeScan_TryIt"]
 _FOR_CLOUDS = [
     "EdgeScan_ScanEdge",
     "EdgeScan_ScanBoundary",
+    "EdgeScan_ScanAllEdges",
     "EdgeScan_RecommendParameters",
     "EdgeScan_CompensateCloud",
     "EdgeScan_ThinCloud",
 ]
 _FOR_EDGES = ["EdgeScan_CloudSection", "EdgeScan_Sweep", "EdgeScan_Loft", "EdgeScan_Export"]
+
+_FOR_NETWORKS = [
+    *("EdgeScan_EdgeWire", "EdgeScan_Sweep", "EdgeScan_Loft"),
+    *("EdgeScan_CloudSegment", "EdgeScan_Export"),
+]
 
 
 def register() -> None:
@@ -69,6 +79,8 @@ def register() -> None:
         import_cloud_command(),
         *cloud_commands(),
         *clicked_commands(),
+        all_edges_command(),
+        edge_wire_command(),
         *sweep_commands(),
         *surface_commands(),
         *output_commands(),
@@ -87,13 +99,16 @@ def menu() -> list[str]:
 
 
 def for_selection() -> list[str]:
-    """What a right click offers for what is selected: commands for clouds, for edges, or none."""
-    from .selected import clouds_of, is_scanned_edge
+    """What a right click offers for clouds, edges and networks that are selected."""
+    from .selected import clouds_of, is_edge_network, is_scanned_edge
 
     chosen = FreeCADGui.Selection.getSelection()
     names: list[str] = []
     if clouds_of(chosen):
         names += _FOR_CLOUDS
-    if any(is_scanned_edge(item) or hasattr(item, "Sigma") for item in chosen):
+    edges = [item for item in chosen if is_scanned_edge(item) or hasattr(item, "Sigma")]
+    if any(not is_edge_network(item) for item in edges):
         names += _FOR_EDGES
+    if any(is_edge_network(item) for item in edges):
+        names += [name for name in _FOR_NETWORKS if name not in names]
     return names

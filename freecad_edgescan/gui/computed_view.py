@@ -24,9 +24,10 @@ _ICONS = {
     "ThinnedCloudProxy": "EdgeScan_ThinCloud",
     "CompensatedCloudProxy": "EdgeScan_CompensateCloud",
     "ScannedBoundaryProxy": "EdgeScan_ScanBoundary",
-    "EdgeNetworkProxy": "EdgeScan_ScanBoundary",
+    "EdgeNetworkProxy": "EdgeScan_ScanAllEdges",
+    "EdgeWireProxy": "EdgeScan_EdgeWire",
 }
-_EDGES = ("ScannedBoundaryProxy", "EdgeNetworkProxy")
+_EDGES = ("ScannedBoundaryProxy", "EdgeNetworkProxy", "EdgeWireProxy")
 _SHADED = ("SimulatedCloudProxy", "ThinnedCloudProxy", "CompensatedCloudProxy")
 
 

@@ -9,6 +9,7 @@ import FreeCADGui
 
 from .message import problems_shown
 from .translation import translate
+from .view_in_front import view_of
 
 __all__ = ["edit_scanned_edge"]
 
@@ -20,16 +21,4 @@ def edit_scanned_edge(edge: Any) -> None:
     with problems_shown(translate("Edit scanned edge")):
         if FreeCADGui.Control.activeDialog():
             raise ValueError(translate("Finish or cancel the open task panel first."))
-        FreeCADGui.Control.showDialog(ScanEdgePanel(edge.Document, _view_of(edge), edge))
-
-
-def _view_of(edge: Any) -> Any:
-    """The 3D view of the edge's document, the one in front if it is one."""
-    gui_document = FreeCADGui.getDocument(edge.Document.Name)
-    view = gui_document.ActiveView
-    if hasattr(view, "getSceneGraph"):
-        return view
-    views = gui_document.mdiViewsOfType("Gui::View3DInventor")
-    if not views:
-        raise ValueError(translate("Open a 3D view of this document first."))
-    return views[0]
+        FreeCADGui.Control.showDialog(ScanEdgePanel(edge.Document, view_of(edge.Document), edge))

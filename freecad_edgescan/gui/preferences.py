@@ -19,9 +19,11 @@ __all__ = [
     "add_page",
     "import_folder",
     "import_unit",
+    "makes_one_network",
     "moves_near_origin",
     "point_size",
     "remember_import_folder",
+    "remember_one_network",
     "shades_clouds",
 ]
 
@@ -63,6 +65,16 @@ def moves_near_origin() -> bool:
 def shades_clouds() -> bool:
     """Whether imported clouds are shaded as if light fell on them."""
     return bool(_stored().GetBool("ShadeClouds", True))
+
+
+def makes_one_network() -> bool:
+    """Whether all edges of a cloud became one object the last time."""
+    return bool(_stored().GetBool("OneNetwork", True))
+
+
+def remember_one_network(wanted: bool) -> None:
+    """Offer the same next time."""
+    _stored().SetBool("OneNetwork", wanted)
 
 
 def point_size() -> int:

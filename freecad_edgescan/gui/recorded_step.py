@@ -37,7 +37,7 @@ def object_lines(items: list[Any]) -> str:
 def run_as_one_step(
     doc: Any,
     title: str,
-    lines: list[str],
+    lines: Sequence[str | Callable[[], str]],
     before_recompute: Callable[[list[Any]], None] | None = None,
     changed: Sequence[Any] = (),
 ) -> list[Any]:
@@ -47,7 +47,7 @@ def run_as_one_step(
     ----------
     doc : App.Document, which the lines know as ``doc``; they know ``document`` as our package
     title : what the undo menu calls the step
-    lines : Python statements
+    lines : Python statements; one that depends on what those before it have made is a function
     before_recompute : gets the objects that were made, to write results into them that are known
         already, or to dress them; it is not recorded, so it must only save time or change looks
     changed : objects the lines change, which must be valid afterwards, too
@@ -68,7 +68,7 @@ def run_as_one_step(
         FreeCADGui.doCommand("from freecad_edgescan import document")
         FreeCADGui.doCommand(f"doc = FreeCAD.getDocument({doc.Name!r})")
         for line in lines:
-            FreeCADGui.doCommand(line)
+            FreeCADGui.doCommand(line if isinstance(line, str) else line())
         made = [item for item in doc.Objects if item.Name not in before]
         if before_recompute is not None:
             before_recompute(made)

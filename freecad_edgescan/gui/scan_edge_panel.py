@@ -16,6 +16,7 @@ from freecad_edgescan.document.scan_inputs import ScanInputs, input_hash, read_i
 from freecad_edgescan.scanning import Gate, ScanError, Start, Stop
 
 from .clicked_cloud import Picked
+from .cloud_panel import CloudPanel
 from .live_edge import LiveEdge
 from .picked_places import PickedPlaces
 from .picking import Array
@@ -27,14 +28,13 @@ from .shown import select_only
 from .single_shot import single_shot
 from .translation import translate
 from .view_clicks import Pixel
-from .view_panel import ViewPanel
 
 __all__ = ["ScanEdgePanel"]
 
 _HOVER = 30  # ms between two looks at what is under the mouse
 
 
-class ScanEdgePanel(ViewPanel):
+class ScanEdgePanel(CloudPanel):
     """Task panel; ``FreeCADGui.Control.showDialog`` shows it.
 
     Parameters

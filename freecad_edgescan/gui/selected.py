@@ -12,7 +12,9 @@ from .translation import translate
 __all__ = [
     "chosen_cloud",
     "clouds_of",
+    "is_edge_network",
     "is_scanned_edge",
+    "only_cloud",
     "selected_objects",
     "selected_shapes",
     "shapes_of",
@@ -40,8 +42,14 @@ def shapes_of(items: list[Any]) -> list[Any]:
 
 
 def is_scanned_edge(item: Any) -> bool:
-    """Whether an object is one of our edges."""
-    return type(getattr(item, "Proxy", None)).__name__ == "ScannedEdgeProxy"
+    """Whether an object is one of our edges, or a wire of them."""
+    kind = type(getattr(item, "Proxy", None)).__name__
+    return kind in ("ScannedEdgeProxy", "EdgeWireProxy")
+
+
+def is_edge_network(item: Any) -> bool:
+    """Whether an object is all edges of a cloud."""
+    return type(getattr(item, "Proxy", None)).__name__ == "EdgeNetworkProxy"
 
 
 def chosen_cloud(doc: Any) -> Any:
@@ -65,6 +73,16 @@ def chosen_cloud(doc: Any) -> Any:
                 label=chosen[0].Label
             )
         )
+    return only_cloud(doc)
+
+
+def only_cloud(doc: Any) -> Any:
+    """The only cloud that can be seen.
+
+    Raises
+    ------
+    ValueError: there is none or more than one; the sentence says what to select, or to show.
+    """
     every = clouds_of(doc.Objects)
     shown = [cloud for cloud in every if cloud.ViewObject.Visibility]
     if len(shown) == 1:

@@ -10,6 +10,7 @@ import FreeCAD
 from .command import Command
 from .obstacles import no_cloud, no_cloud_or_shape, no_shape
 from .recorded_step import object_line, object_lines
+from .segment_command import SegmentCommand
 from .selected import clouds_of, shapes_of
 from .selection_command import SelectionCommand
 from .translation import translate
@@ -22,15 +23,18 @@ QT_TRANSLATE_NOOP = FreeCAD.Qt.QT_TRANSLATE_NOOP
 def surface_commands() -> list[Command]:
     """All of them, in the order of the toolbar."""
     return [
-        SelectionCommand(
+        SegmentCommand(
             "EdgeScan_CloudSegment",
             QT_TRANSLATE_NOOP("EdgeScan_CloudSegment", "Segment cloud"),
             QT_TRANSLATE_NOOP(
                 "EdgeScan_CloudSegment",
-                "Take the points near a surface as a cloud of their own. Select the cloud and the "
-                "surface.",
+                "Take the points near a surface, or of one face between edges, as a cloud of their "
+                "own. Select the cloud and the surface; or a network of edges, then click on the "
+                "face.",
             ),
-            QT_TRANSLATE_NOOP("EdgeScan_CloudSegment", "Select a cloud and a surface"),
+            QT_TRANSLATE_NOOP(
+                "EdgeScan_CloudSegment", "Select a cloud and a surface, or a network of edges"
+            ),
             lambda chosen: _of_cloud_and_surface(chosen, "make_cloud_segment"),
             no_cloud_or_shape,
         ),

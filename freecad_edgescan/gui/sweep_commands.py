@@ -33,6 +33,7 @@ def sweep_commands() -> list[Command]:
             QT_TRANSLATE_NOOP("EdgeScan_CloudSection", "Select a cloud and one or two edges"),
             _section,
             no_cloud_or_shape,
+            joins=True,
         ),
         SelectionCommand(
             "EdgeScan_Sweep",
@@ -45,6 +46,7 @@ def sweep_commands() -> list[Command]:
             QT_TRANSLATE_NOOP("EdgeScan_Sweep", "Select a profile, then an edge"),
             _sweep,
             no_shape,
+            joins=True,
         ),
         SelectionCommand(
             "EdgeScan_Loft",
@@ -70,6 +72,7 @@ def sweep_commands() -> list[Command]:
             ),
             _swept,
             no_shape,
+            joins=True,
         ),
     ]
 

@@ -127,7 +127,7 @@ def _some_rows(count: int, most: int) -> np.ndarray:
     """Rows spread at random over all, always the same ones: every so-many-th would be streaky."""
     if count <= most:
         return np.arange(count)
-    return np.sort(np.random.default_rng(0).permutation(count)[:most])
+    return np.sort(np.random.default_rng(0).choice(count, most, replace=False, shuffle=False))
 
 
 def _own_colours(item: Any, count: int, rows: np.ndarray) -> Array | None:

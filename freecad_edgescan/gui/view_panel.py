@@ -13,9 +13,7 @@ from typing import Any
 import FreeCADGui
 
 from .background import Background
-from .clicked_cloud import Picked
 from .closing import ClosingWatch
-from .cloud_clicks import CloudClicks
 from .document_watch import DocumentWatch
 from .qt import QtCore, QtWidgets, as_int
 from .single_shot import single_shot
@@ -30,7 +28,7 @@ class ViewPanel(QtCore.QObject):
 
     Parameters
     ----------
-    doc : App.Document whose visible clouds can be clicked
+    doc : App.Document
     view : the 3D view in front, which is clicked in
     form : the widget FreeCAD shows
 
@@ -56,11 +54,6 @@ class ViewPanel(QtCore.QObject):
         self._closing.watch_active_view()
         self._document_watch = DocumentWatch(doc)
         self._document_watch.closed.connect(self.vanish)
-        self._clicks = CloudClicks(doc, view, self._document_watch)
-        self._clicks.picked.connect(self.take)
-        self._clicks.missed.connect(self.say_and_ask)
-        self._clicks.lost.connect(self.lose)
-        self._clicks.escaped.connect(self.leave_soon)
 
     # What each panel does.
 
@@ -72,13 +65,8 @@ class ViewPanel(QtCore.QObject):
         """What the user is to click on now."""
         raise NotImplementedError
 
-    def take(self, picked: Picked) -> None:
-        """A point of a cloud was clicked on."""
-        raise NotImplementedError
-
-    def lose(self, sentence: str) -> None:
-        """The cloud that was clicked on has changed or is gone; the sentence says so."""
-        raise NotImplementedError
+    def show_share(self, share: float) -> None:
+        """A calculation has done this share of its work, 0 … 1; nan where nobody knows."""
 
     def show_report(self, digest: Any) -> None:
         """A calculation has got farther."""
@@ -104,7 +92,6 @@ class ViewPanel(QtCore.QObject):
         self._shown_timer.stop()
         self._closing.end()
         self._document_watch.end()
-        self._clicks.close()
         self.end_work()
 
     # What FreeCAD calls.
@@ -179,6 +166,7 @@ class ViewPanel(QtCore.QObject):
     def _advance(self) -> None:
         report = self._work.take() if self._is_current() and self._work is not None else None
         if report is not None:
+            self.show_share(report[0])
             self.show_report(report[1])
 
     def _succeed(self, result: Any) -> None:

@@ -31,10 +31,11 @@ _HOME_OF = {
             "ThinnedCloudProxy",
             "CompensatedCloudProxy",
             "ScannedBoundaryProxy",
-            "EdgeNetworkProxy",
+            "EdgeWireProxy",
         ),
         ("computed_view", "ViewProviderComputed"),
     ),
+    "EdgeNetworkProxy": ("edge_network_view", "ViewProviderEdgeNetwork"),
     "DeviationMapProxy": ("deviation_map_view", "ViewProviderDeviationMap"),
 }
 

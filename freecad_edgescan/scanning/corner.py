@@ -47,6 +47,12 @@ class Corners:
     shift: np.ndarray
     found: np.ndarray
 
+    @property
+    def half_angle(self) -> np.ndarray:
+        """Half the angle between the sides, (m,) rad."""
+        cosine = np.einsum("mi,mi->m", self.sides[:, 0], self.sides[:, 1])
+        return 0.5 * np.arccos(np.clip(cosine, -1.0, 1.0))
+
 
 def across_axes(normals: np.ndarray) -> np.ndarray:
     """Axes across the edge, (…, 2, 3): n1 + n2 and n1 − n2, normalised."""

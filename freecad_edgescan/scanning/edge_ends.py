@@ -17,7 +17,7 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from .corner import across_axes
 from .edge_points import Measured
-from .gait import predict, reversed_frame
+from .gait import predict
 from .patch_section import PatchSettings
 from .section import Frames, Station, frames_from_sides
 from .stop import Stop
@@ -179,4 +179,4 @@ def _standing(
         np.median(measured.frames.bend[order], axis=0)[None],
         np.median(measured.fits.coefficients[order, :, 2], axis=0)[None] / measured.fits.reach,
     )
-    return frame if k else reversed_frame(frame)
+    return frame if k else frame.backward()

@@ -32,7 +32,7 @@ from .pooling import (
     shared_curvature,
     times_counted,
 )
-from .section import Frames, SectionPoints
+from .section import Frames, SectionPoints, frames_from_sides
 from .side_fit import SideFits, fit_summed
 from .stop import Stop
 from .strip import strip_points
@@ -162,7 +162,9 @@ def _rounded_away(measured: Measured, settings: PatchSettings, closed: bool) -> 
     radius = np.interp(measured.at, measured.at[known], radius[known])
     frames = measured.frames
     foot = np.einsum("mki,mi->mk", frames.sides, seen.point - frames.origin)
-    touch = foot + frames.rolled_over(radius)[:, None]
+    # The sides as they were measured: the walk may have seen them with a rounding in them.
+    standing = frames_from_sides(seen.point, seen.tangent, seen.sides)
+    touch = foot + standing.rolled_over(radius)[:, None]
     mode = "wrap" if closed else "nearest"
     touch = median_filter(touch, (min(_BESIDE, len(touch)), 1), mode=mode)
     touch = np.where(touch < _MOST_ROUNDED * measured.fits.ends, touch, 0.0)

@@ -52,9 +52,7 @@ def rounding_radius(
     """
     mode = "wrap" if closed else "constant"
     sections = len(frames)
-    half = 0.5 * np.arccos(
-        np.clip(np.einsum("mi,mi->m", corner.sides[:, 0], corner.sides[:, 1]), -1, 1)
-    )
+    half = corner.half_angle
     inward = corner.sides.sum(axis=1)
     inward /= np.maximum(np.linalg.norm(inward, axis=1, keepdims=True), 1e-12)
     aside = np.cross(frames.tangent, inward)

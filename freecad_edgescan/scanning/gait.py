@@ -101,7 +101,8 @@ class AdaptiveGait:
         widths = self._widths(np.full(count, step))
         found: list[Station] = []
         for k, measured in enumerate(section.measure(ahead, widths, last)):
-            station = _followed(last, predict(last.frame, step), measured, step)
+            predicted = predict(last.frame, step) if found else ahead[0]
+            station = _followed(last, predicted, measured, step)
             if found and (
                 station.stop is not None or _surprise(last, ahead[k], measured, step) > _EXPECTED
             ):
@@ -137,11 +138,6 @@ def predict(frame: Frames, step: float | np.ndarray) -> Frames:
     sides = np.broadcast_to(frame.sides, (len(ahead), 2, 3))
     curvature = np.broadcast_to(frame.curvature, (len(ahead), 2))
     return frames_from_sides(origin, ahead, turned_along(sides, tangent, ahead), onward, curvature)
-
-
-def reversed_frame(frame: Frames) -> Frames:
-    """The same section, walked the other way."""
-    return frames_from_sides(frame.origin, -frame.tangent, frame.sides, frame.bend, frame.curvature)
 
 
 def _round_a_bend(

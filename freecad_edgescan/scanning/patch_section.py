@@ -223,8 +223,7 @@ class PatchSection:
         Sides that meet farther outside, like the two faces of a thin plate that a fit has bent
         towards each other, have no edge there.
         """
-        cosine = np.einsum("mi,mi->m", corner.sides[:, 0], corner.sides[:, 1])
-        half = 0.5 * np.arccos(np.clip(cosine, -1.0, 1.0))
+        half = corner.half_angle
         rounded = gap_under_rounding(fits.begins.max(axis=1), half)
         away = self.cloud.points[points.index] - corner.point[points.owner]
         near = np.full(len(half), np.inf)

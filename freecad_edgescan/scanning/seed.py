@@ -16,7 +16,7 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from .evened import one_per_cell
-from .gait import jumped, predict, reversed_frame
+from .gait import jumped, predict
 from .patch_section import PatchSection, PatchSettings
 from .section import Frames, Station, frames_from_sides
 from .shared_planes import normals_of, shared_planes
@@ -139,7 +139,7 @@ def _confirmed(
         if abs(float(found.tangent[0] @ along)) < np.cos(np.radians(40.0)):
             return None
         if float(found.tangent[0] @ along) < 0:
-            station = replace(station, frame=reversed_frame(found))
+            station = replace(station, frame=found.backward())
     return Seed(station, seed.reach)
 
 
@@ -180,7 +180,7 @@ def _goes_on(cloud: PointCloud, seed: Seed, settings: PatchSettings) -> bool:
     """Whether the edge can be followed for a step, one way or the other."""
     section = PatchSection(cloud, settings.with_reach(seed.reach))
     frame, pitch = seed.station.frame, settings.edge_pitch
-    both_ways = predict(Frames.join([frame, reversed_frame(frame)]), pitch)
+    both_ways = predict(Frames.join([frame, frame.backward()]), pitch)
     ahead = section.settle(both_ways, np.full(2, settings.half_width))
     return any(
         not (measured.stop or jumped(seed.station, both_ways[k], measured, pitch))

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from .gait import Gait, reversed_frame
+from .gait import Gait
 from .progress import Progress
 from .section import Section, Station
 from .stop import Stop
@@ -57,4 +57,4 @@ def trace_both_ways(
 
 def turned(station: Station) -> Station:
     """The same station, walked the other way."""
-    return replace(station, frame=reversed_frame(station.frame))
+    return replace(station, frame=station.frame.backward())

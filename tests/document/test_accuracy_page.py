@@ -199,7 +199,7 @@ def quick(monkeypatch, tmp_path, report, experiments):
     )
     monkeypatch.setattr(
         "freecad_edgescan.document.part_report.report_part",
-        lambda part, *rest: replace(report, name=part.name),
+        lambda part, *rest: replace(report, part=part),
     )
     scanned = SimpleNamespace(result=experiments, interrupts=False)
 

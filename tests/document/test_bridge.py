@@ -14,6 +14,7 @@ Part = pytest.importorskip("Part")
 from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.cloud import PointCloud  # noqa: E402
 from freecad_edgescan.document import bridge  # noqa: E402
+from freecad_edgescan.experiments.peak_memory import memory_now  # noqa: E402
 
 FAR = np.array([500000.0, 4500000.0, 120.0])
 
@@ -106,3 +107,12 @@ def test_a_clouds_probe_goes_into_its_properties_and_back(doc: Any) -> None:
     assert cloud.TypeId == "Points::Feature"
     assert back.probe_radius == 1.5
     np.testing.assert_array_equal(back.approach, (0, 0, -1))
+
+
+def test_what_a_kernel_was_made_from_does_not_stay_in_memory() -> None:
+    points = np.zeros((1_000_000, 3), dtype=np.float32)
+    bridge.kernel_from_array(points)
+    before = memory_now()
+    for _ in range(8):
+        bridge.kernel_from_array(points)
+    assert memory_now() - before < 4 * points.nbytes

@@ -61,3 +61,88 @@ def test_an_empty_cloud_says_so(doc: Any) -> None:
     cloud.Points = bridge.kernel_from_array(np.zeros((0, 3)))
     with pytest.raises(ValueError, match="The cloud 'Bracket' is empty"):
         document.point_cloud(cloud)
+
+
+@pytest.fixture
+def readings(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """Names of the objects whose points were read, one way or the other."""
+    read: list[str] = []
+
+    def counted(own: Any) -> Any:
+        def reading(obj: Any) -> Any:
+            read.append(obj.Name)
+            return own(obj)
+
+        return reading
+
+    for name in ("document_points_of", "document_blocks_of"):
+        monkeypatch.setattr(cloud_cache, name, counted(getattr(cloud_cache, name)))
+    return read
+
+
+def test_points_that_were_not_exchanged_are_not_read_again(doc: Any, readings: list[str]) -> None:
+    cloud = make_cloud(doc)
+    before = document.point_cloud(cloud)
+    checksum = cloud_cache.cloud_checksum(cloud)
+    cloud.Label = "Other"
+    assert document.point_cloud(cloud) is before
+    assert cloud_cache.cloud_checksum(cloud) == checksum
+    assert readings == [cloud.Name]
+
+
+def test_the_same_points_given_again_keep_the_cloud_and_its_tree(
+    doc: Any, readings: list[str]
+) -> None:
+    cloud = make_cloud(doc)
+    before = document.point_cloud(cloud)
+    cloud.Points = cloud.Points
+    assert document.point_cloud(cloud) is before
+    assert document.point_cloud(cloud) is before
+    assert len(readings) == 2
+    cloud.touch()
+    doc.recompute()
+    assert document.point_cloud(cloud) is before
+
+
+def test_points_that_undo_brings_back_are_noticed(doc: Any) -> None:
+    cloud = make_cloud(doc)
+    doc.openTransaction("Move points")
+    before = document.point_cloud(cloud).points
+    cloud.Points = bridge.kernel_from_array(before + 1.0)
+    doc.commitTransaction()
+    assert np.allclose(document.point_cloud(cloud).points, before + 1.0, atol=1e-6)
+    doc.undo()
+    assert np.array_equal(document.point_cloud(cloud).points, before)
+    doc.redo()
+    assert np.allclose(document.point_cloud(cloud).points, before + 1.0, atol=1e-6)
+
+
+def test_a_part_that_moves_takes_its_cloud_along(doc: Any) -> None:
+    cloud = make_cloud(doc)
+    part = doc.addObject("App::Part", "Part")
+    part.addObject(cloud)
+    before = document.point_cloud(cloud).points
+    part.Placement.Base = FreeCAD.Vector(5, 0, 0)
+    assert np.allclose(document.point_cloud(cloud).points, before + np.array([5.0, 0.0, 0.0]))
+
+
+def test_a_document_that_is_restored_has_clouds_of_its_own(doc: Any, tmp_path: Any) -> None:
+    cloud = make_cloud(doc)
+    name, before = cloud.Name, document.point_cloud(cloud).points
+    doc.saveAs(str(tmp_path / "cloud.FCStd"))
+    cloud.Points = bridge.kernel_from_array(before + 1.0)
+    document.point_cloud(cloud)
+    doc.restore()
+    assert np.array_equal(document.point_cloud(doc.getObject(name)).points, before)
+
+
+def test_a_cloud_larger_than_a_block_crosses_unharmed(
+    doc: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(bridge, "_ROWS", 7)
+    points = np.random.default_rng(0).integers(-99, 99, (100, 3)) / 8.0
+    cloud = document.make_cloud(doc, points, unit="inch")
+    assert np.array_equal(document.points_of(cloud), (25.4 * points).astype("f4"))
+    cloud.Placement.Base = FreeCAD.Vector(1, 2, 3)
+    moved = (25.4 * points).astype("f4") + np.array([1.0, 2.0, 3.0])
+    assert np.allclose(document.point_cloud(cloud).points, moved, rtol=0, atol=1e-12)

@@ -13,7 +13,7 @@ import pytest
 FreeCAD = pytest.importorskip("FreeCAD")
 Part = pytest.importorskip("Part")
 
-from freecad_edgescan import document  # noqa: E402
+from freecad_edgescan import PointCloud, document, write_cloud  # noqa: E402
 
 
 def test_a_text_file_becomes_a_plain_points_object(doc: Any, tmp_path: Path) -> None:
@@ -76,3 +76,35 @@ def test_rows_left_out_are_counted_in_the_cloud_without_a_python_warning(
     assert cloud.getEditorMode("DroppedRows") == ["ReadOnly"] or "ReadOnly" in (
         cloud.getPropertyStatus("DroppedRows")
     )
+
+
+@pytest.mark.parametrize("unit", ["mm", "inch"])
+@pytest.mark.parametrize("form", ["file", "array", "mesh"])
+def test_only_a_region_comes_into_the_document(
+    doc: Any, tmp_path: Path, form: str, unit: str
+) -> None:
+    points = np.random.default_rng(0).integers(0, 80, (60, 3)) / 8.0
+    length = {"mm": 1.0, "inch": 25.4}[unit]
+    low, high = np.array([2.1, 1.1, -1.0]), np.array([8.1, 9.1, 7.1])
+    source: Any = points
+    if form == "file":
+        source = tmp_path / "cloud.ply"
+        write_cloud(PointCloud(points), source)
+    elif form == "mesh":
+        source = tmp_path / "cloud.obj"
+        lines = [f"v {x} {y} {z}" for x, y, z in points]
+        lines += [f"f {k} {k + 1} {k + 2}" for k in range(1, 58, 3)]
+        source.write_text("\n".join(lines))
+        points = document.points_of(document.make_cloud(doc, source))
+    inside = points[((points >= low) & (points <= high)).all(axis=1)]
+    cloud = document.make_cloud(doc, source, unit=unit, region=(length * low, length * high))
+    assert 0 < len(inside) < len(points)
+    assert np.allclose(document.points_of(cloud), length * inside, rtol=1e-6)
+
+
+def test_a_region_without_points_makes_no_cloud(doc: Any) -> None:
+    with pytest.raises(ValueError, match="No point of the cloud, which reaches from"):
+        document.make_cloud(doc, np.eye(3), region=((5, 5, 5), (6, 6, 6)))
+    with pytest.raises(ValueError, match="is no box"):
+        document.make_cloud(doc, np.eye(3), region=((1, 1, 1), (0, 0, 0)))
+    assert not doc.Objects

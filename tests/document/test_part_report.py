@@ -123,6 +123,11 @@ def test_the_sharp_edges_are_found_under_fillets() -> None:
     assert len(report.rows) == 12
     assert len(good) >= 11
     assert sum(row.wandering for row in report.rows) == 0
+    said = f"Under fillets of 1.5 mm: {len(good)} of 12 with an rms error of at most one noise"
+    assert said in report.text()
+    assert "(0.13 mm); of those with 5 pitches of side between" in report.text()
+    # Sides of 30 mm between two fillets of 1.5 mm, all along.
+    np.testing.assert_allclose(min(part.side_left(edge).min() for edge in part.edges), 27.0)
 
 
 def test_a_fillet_too_large_for_every_edge_is_one_sentence() -> None:

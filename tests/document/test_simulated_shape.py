@@ -107,10 +107,10 @@ def test_a_ball_that_fits_nowhere_is_refused() -> None:
 @pytest.mark.parametrize(
     ("values", "said"),
     [
-        ({"pitch": 0.0, "noise": 0.0}, "pitch is 0.0"),
-        ({"pitch": 0.3, "noise": -1.0}, "noise is -1.0"),
+        ({"pitch": 0.0, "noise": 0.0}, "pitch is 0; give"),
+        ({"pitch": 0.3, "noise": -1.0}, "noise is -1; give"),
         ({"pitch": 50.0, "noise": 0.0}, "pitch of 50 mm leaves only"),
-        ({"pitch": 0.3, "noise": 0.0, "probe_radius": -2.0}, "probe radius is -2.0"),
+        ({"pitch": 0.3, "noise": 0.0, "probe_radius": -2.0}, "probe radius is -2; give"),
     ],
 )
 def test_values_that_cannot_work_are_named(values: dict[str, float], said: str) -> None:

@@ -187,7 +187,7 @@ def test_what_is_missing_is_said(doc: Any) -> None:
     doc.recompute()
     fit.Cloud = None
     doc.recompute()
-    assert fit.Message == "There is no cloud; choose one, or undo its deletion."
+    assert fit.Message == "The cloud is missing; choose one, or undo its deletion."
     solid = feature(doc, Part.makeBox(1, 1, 1))
     longer = document.make_extended_surface(doc, solid)
     doc.recompute()

@@ -10,7 +10,13 @@ import pytest
 
 from freecad_edgescan.experiments import wedge_search
 from freecad_edgescan.experiments.random_wedges import SPOILT, make_wedge
-from freecad_edgescan.experiments.wedge_search import judge, search, wedge_table
+from freecad_edgescan.experiments.wedge_search import (
+    by_chance,
+    judge,
+    scanned_again,
+    search,
+    wedge_table,
+)
 
 
 @pytest.fixture(scope="module")
@@ -55,8 +61,34 @@ def test_a_wedge_is_what_it_says() -> None:
         assert np.array_equal(again.points, cloud.points)
 
 
+def test_another_scan_of_a_wedge_has_other_points_of_the_same_sides() -> None:
+    for number in range(10):
+        wedge, cloud, _, _ = make_wedge(number, rounded=True)
+        again, other, click, _ = make_wedge(number, rounded=True, sample=3)
+        assert again == wedge
+        assert not np.isin(other.points, cloud.points).any()
+        _, same, same_click, _ = make_wedge(number, rounded=True, sample=3)
+        assert np.array_equal(same.points, other.points)
+        assert np.array_equal(same_click, click)
+    found = search(2, rounded=False, first=5, jobs=1)
+    again = scanned_again(found, rounded=False, times=3, jobs=1)
+    assert [judged.wedge.number for judged in again] == [5, 5, 5, 6, 6, 6]
+    assert len({judged.errors.sum() for judged in [*found, *again]}) == 8
+
+
+def test_what_is_wrong_by_chance_is_told_from_what_is_mostly_wrong() -> None:
+    right = judge((0, False, 0))
+    wrong = replace(right, distances=right.distances + 8.0)
+    other = replace(right, wedge=replace(right.wedge, number=1))
+    said = by_chance([right, right, wrong, *[replace(wrong, wedge=other.wedge)] * 2, other])
+    assert said == (
+        "These 2 wedges scanned 3 times more, with other points: 3 of 6 scans are farther off than "
+        "stated; more than half of its scans are with 1 of the wedges: 1."
+    )
+
+
 def test_an_edge_that_is_farther_off_than_stated_is_told() -> None:
-    judged = judge((0, False))
+    judged = judge((0, False, 0))
     assert not judged.wrong
     wrong = replace(judged, distances=judged.distances + 8.0)
     one = replace(judged, distances=np.append(np.ones(20), 7.5))
@@ -70,7 +102,7 @@ def test_an_edge_that_is_farther_off_than_stated_is_told() -> None:
 
 
 def test_a_scan_that_fails_is_no_refusal(monkeypatch) -> None:
-    def broken(task: tuple[int, bool]) -> None:
+    def broken(task: tuple[int, bool, int]) -> None:
         raise ZeroDivisionError("oh")
 
     monkeypatch.setattr(wedge_search, "judge", broken)

@@ -14,7 +14,10 @@ Gui = pytest.importorskip("FreeCADGui")
 Part = pytest.importorskip("Part")
 
 NEED_A_PERSON = {"EdgeScan_ImportCloud", "EdgeScan_TryIt", "EdgeScan_SimulatedCloud"}
-OPEN_A_PANEL = {"EdgeScan_ScanEdge", "EdgeScan_ScanBoundary", "EdgeScan_RecommendParameters"}
+OPEN_A_PANEL = {
+    *("EdgeScan_ScanEdge", "EdgeScan_ScanBoundary", "EdgeScan_ScanAllEdges"),
+    "EdgeScan_RecommendParameters",
+}
 
 
 def commands() -> list[str]:

@@ -92,3 +92,35 @@ def test_a_random_cloud_gives_what_looking_at_every_point_gives() -> None:
 def test_of_two_clouds_the_front_one_is_meant() -> None:
     assert front_hit([None, Hit(0, 50.0, 0.0), Hit(0, 10.0, 0.1), None]) == 2
     assert front_hit([None, None]) is None
+
+
+def test_of_several_lines_the_nearest_one_in_front_is_meant() -> None:
+    from freecad_edgescan.gui.edge_picking import LinePicker
+
+    down = np.array([0.0, 0.0, -1.0])
+    lines = [
+        np.array([[-5.0, 0.0, 0.0], [5.0, 0.0, 0.0]]),  # in front
+        np.array([[-5.0, 0.0, -8.0], [5.0, 0.0, -8.0]]),  # right behind it
+        np.array([[-5.0, 0.6, -1.0], [0.0, 0.6, -1.0], [0.0, 9.0, -1.0]]),
+        np.array([[3.0, 3.0, -1.0]]),  # a point is no line
+    ]
+    picker = LinePicker(lines)
+
+    def under(x: float, y: float, radius: float = 0.5) -> int | None:
+        return picker.under(ViewRay(np.array([x, y, 10.0]), down, radius))
+
+    assert under(2.0, 0.2) == 0
+    assert under(-3.0, 0.5) == 2
+    assert under(0.3, 6.0) == 2  # between two of its points
+    assert under(3.0, 3.0) is None and under(-8.0, 0.0) is None
+    assert picker.under(ViewRay(np.array([2.0, 0.0, -20.0]), down, 0.5)) is None  # all behind
+    assert LinePicker().under(ViewRay(np.zeros(3), down, 1.0)) is None
+
+
+def test_a_line_far_away_is_met_by_a_cone_that_has_widened_till_there() -> None:
+    from freecad_edgescan.gui.edge_picking import LinePicker
+
+    line = np.array([[-50.0, 1.0, -100.0], [50.0, 1.0, -100.0]])
+    eye, down = np.zeros(3), np.array([0.0, 0.0, -1.0])
+    assert LinePicker([line]).under(ViewRay(eye, down, 0.1, slope=0.02)) == 0
+    assert LinePicker([line]).under(ViewRay(eye, down, 0.1)) is None

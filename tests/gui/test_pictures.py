@@ -160,18 +160,31 @@ def recommended(window: Any) -> Picture:
     return the_middle(window)
 
 
-def a_boundary(window: Any) -> Picture:
+def scan_a_box(window: Any) -> None:
+    """A box in place of the roof."""
     window.doc.removeObject(window.cloud.Name)
     box = Part.makeBox(20, 16, 12)
     document.make_cloud(window.doc, document.simulate_cloud(box, pitch=0.8, noise=0.01))
     window.doc.recompute()
     window.view.fitAll()
     window.settle()
+
+
+def a_boundary(window: Any) -> Picture:
+    scan_a_box(window)
     Gui.runCommand("EdgeScan_ScanBoundary")
     window.settle()
     window.click((10.0, 0.2, 12.0))
     window.click((10.0, 8.0, 12.0))
     window.found()
+    return the_middle(window)
+
+
+def all_edges(window: Any) -> Picture:
+    scan_a_box(window)
+    Gui.runCommand("EdgeScan_ScanAllEdges")
+    window.found()
+    window.click((10.0, 0.0, 12.0))
     return the_middle(window)
 
 
@@ -240,7 +253,7 @@ def assert_looks_as_it_did(name: str, seen: Picture, folder: Path) -> None:
 
 STATES: list[Callable[..., Picture]] = [
     *(before_the_click, with_the_evidence, with_parameters, recommended, a_boundary),
-    *(a_deviation_map, the_guide, the_import_dialog, the_preferences),
+    *(all_edges, a_deviation_map, the_guide, the_import_dialog, the_preferences),
 ]
 
 

@@ -14,7 +14,8 @@ Gui = pytest.importorskip("FreeCADGui")
 COMMANDS = [
     *("EdgeScan_ImportCloud", "EdgeScan_SimulatedCloud", "EdgeScan_CompensateCloud"),
     *("EdgeScan_ThinCloud", "EdgeScan_CloudSegment"),
-    *("EdgeScan_ScanEdge", "EdgeScan_ScanBoundary", "EdgeScan_RecommendParameters"),
+    *("EdgeScan_ScanEdge", "EdgeScan_ScanBoundary", "EdgeScan_ScanAllEdges"),
+    *("EdgeScan_RecommendParameters", "EdgeScan_EdgeWire"),
     *("EdgeScan_CloudSection", "EdgeScan_Sweep", "EdgeScan_Loft", "EdgeScan_SweptSurface"),
     *("EdgeScan_FittedSurface", "EdgeScan_ExtendSurface", "EdgeScan_IntersectSurfaces"),
     *("EdgeScan_TrimmedShell", "EdgeScan_DeviationMap", "EdgeScan_Export", "EdgeScan_Report"),

@@ -8,7 +8,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 
 from freecad_edgescan.scanning.edge_gate import PointGate
-from freecad_edgescan.scanning.gait import AdaptiveGait, predict, reversed_frame
+from freecad_edgescan.scanning.gait import AdaptiveGait, predict
 from freecad_edgescan.scanning.section import Station, frames_from_sides
 from freecad_edgescan.scanning.stop import Stop
 from freecad_edgescan.scanning.trace import trace_both_ways, trace_one_way
@@ -154,7 +154,7 @@ def test_of_sections_measured_at_once_those_behind_a_surprise_are_looked_for_aga
 
 def test_turned_round_a_section_keeps_its_sides_and_normals():
     frame = KnownEdge(circle).station(3.0).frame
-    back = reversed_frame(frame)
+    back = frame.backward()
     assert back.tangent == pytest.approx(-frame.tangent)
     assert back.sides == pytest.approx(frame.sides)
     assert back.normals == pytest.approx(frame.normals)

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...cloud.point_cloud import PointCloud, require_surface
+from ...cloud.region import cropped
 from ..automatic import MIN_ANGLE, Chosen, choose_parameters
 from ..errors import ScanError
 from ..parameters import ScanParameters
@@ -30,10 +31,10 @@ from .joining import bridged
 from .tracing import Tracer
 from .tracks import Track, split_at_corners, track_of
 
-__all__ = ["find_edges"]
+__all__ = ["SHORTEST", "find_edges"]
 
 _FEWEST = 2  # sections of a track
-_SHORTEST = 8.0  # pitches, of an edge
+SHORTEST = 8.0  # pitches, of an edge, where no length is given
 _LOOKING, _TRACKING = 0.35, 0.4  # share of the work that is done then
 _REACH, _EDGE_PITCH, _LEAST_NOISE = 22.0, 2.0, 0.03  # pitches, as of a scan from a click
 _STRAY = 0.5  # pitches of scatter along the normal, that no surface has
@@ -70,7 +71,7 @@ def find_edges(
     if region is not None:
         cloud = _cut_out(cloud, region)
     require_surface(cloud)
-    shortest = _SHORTEST * cloud.pitch if min_length is None else float(min_length)
+    shortest = SHORTEST * cloud.pitch if min_length is None else float(min_length)
     told = _Told(progress)
     chosen = _chosen(cloud, min_angle)
     if _scattered(cloud):
@@ -97,22 +98,9 @@ def _check(min_angle: float, min_length: float | None) -> None:
 
 def _cut_out(cloud: PointCloud, region: ArrayLike) -> PointCloud:
     try:
-        box = np.asarray(region, dtype=np.float64)
-    except (TypeError, ValueError):
-        box = np.empty(0)
-    if box.shape != (2, 3) or not np.all(box[0] <= box[1]):
-        raise ScanError(
-            f"The region {region!r} is no box. Give its lowest and highest corner, "
-            "((xmin, ymin, zmin), (xmax, ymax, zmax)) in mm."
-        )
-    inside = np.all((cloud.points >= box[0]) & (cloud.points <= box[1]), axis=1)
-    if not inside.any():
-        low, high = (tuple(corner.round(4).tolist()) for corner in cloud.bounds)
-        raise ScanError(
-            f"No point of the cloud lies in the region {box.tolist()}; the cloud reaches from "
-            f"{low} to {high}. Take a region that overlaps it."
-        )
-    return PointCloud(cloud.points[inside], cloud.probe_radius, cloud.approach)
+        return cropped(cloud, region)
+    except ValueError as error:
+        raise ScanError(str(error)) from None
 
 
 def _chosen(cloud: PointCloud, min_angle: float) -> Chosen:

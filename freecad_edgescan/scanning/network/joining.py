@@ -12,7 +12,6 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from ...cloud.point_cloud import PointCloud
-from ..gait import reversed_frame
 from ..patch_section import PatchSettings
 from ..section import Frames, frames_from_sides
 from .chains import follow
@@ -81,7 +80,7 @@ def _key(tracks: list[Track], pair: tuple[End, End]) -> tuple[bytes, bytes]:
 
 def _end_frame(track: Track, end: int) -> Frames:
     """The section at the start (0) or end (1) of a track, looking out of it."""
-    return track.sections.frames[-1] if end else reversed_frame(track.sections.frames[0])
+    return track.sections.frames[-1] if end else track.sections.frames[0].backward()
 
 
 def _nearest_ends(
@@ -124,7 +123,7 @@ def _gap(
 ) -> list[Track] | None:
     """What lies between two ends, as a track or nothing; None when it speaks against an edge."""
     pitch = settings.cloud_pitch
-    leave, arrive = _end_frame(one, end_one), reversed_frame(_end_frame(other, end_other))
+    leave, arrive = _end_frame(one, end_one), _end_frame(other, end_other).backward()
     distance = float(np.linalg.norm(arrive.origin - leave.origin))
     count = int(distance / (_STEP * pitch))
     if count < 1:
