@@ -40,7 +40,7 @@ def scan(doc: Any, cloud: Any, numbers: Any) -> Any:
 
 def open_panel(window: Window) -> None:
     Gui.runCommand("EdgeScan_ScanEdge")
-    window.wait_until(lambda: window.panel._clouds.ready)
+    window.wait_until(lambda: window.panel._clicks.ready)
 
 
 def close_panel(window: Window) -> None:
