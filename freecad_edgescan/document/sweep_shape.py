@@ -4,6 +4,11 @@
 Most rails bound a plane face. There the profile keeps its angle to that plane, which is exact.
 FreeCAD's own sweep knows only frames that follow the rail's curvature; where a nearly straight rail
 bends the other way these turn over within a millimetre, and the surface shoots out or is folded.
+
+OpenCASCADE's pipes are taken along smooth rails, where they are right, since they keep cylinders
+and planes as such. Its mitres are not: a profile a thousandth of a radian off square, or corners
+some hundredths of a mm out of one plane, make them invalid, or 6 % too large and valid. So what
+has corners, or is beyond it, is swept by our own construction.
 """
 
 from __future__ import annotations
@@ -16,19 +21,20 @@ import Part
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-__all__ = ["require_within_reach", "sweep_shape"]
+from .sewn_sweep import sewn_sweep
+
+__all__ = ["is_within_reach", "sweep_shape"]
 
 Array = NDArray[np.float64]
 
 _SAMPLES = 400  # along the rail
 _ON_A_FACE = (200, 9)  # places of a face that are looked at
 _SMOOTH = 1e-3  # rad, of a turn from edge to edge
-_MITRED = 1  # OpenCASCADE's "right corner"; its usual way flattens the profile past each corner
 _ROOM = 1.05  # share of the profile's reach that no part of the surface may leave
 
 
 def sweep_shape(profile: Any, rail: Any, solid: bool = False) -> tuple[Any, bool]:
-    """Sweep a profile along a rail.
+    """Sweep a profile along a rail, with a mitre in each of its corners.
 
     Parameters
     ----------
@@ -42,40 +48,39 @@ def sweep_shape(profile: Any, rail: Any, solid: bool = False) -> tuple[Any, bool
 
     Raises
     ------
-    ValueError: OpenCASCADE cannot do it, or what it made leaves the profile's reach.
+    ValueError: the rail turns too sharply, or the profile has no room beside it, lies along it or
+        is open and gives no solid.
     """
+    if solid and not profile.isClosed():
+        raise ValueError("Only a closed profile gives a solid; close it, or set Solid to false.")
     plane = rail.findPlane()
+    smooth = sharpest_turn(rail) <= _SMOOTH
+    shape = _pipe(profile, rail, plane, solid) if smooth else None
+    return shape or sewn_sweep(profile, rail, solid), plane is not None
+
+
+def _pipe(profile: Any, rail: Any, plane: Any, solid: bool) -> Any | None:
+    """OpenCASCADE's pipe along a smooth rail, or None where it fails."""
     maker = Part.BRepOffsetAPI.MakePipeShell(rail)
     if plane is not None:
         maker.setBiNormalMode(plane.Axis)
     else:
         maker.setFrenetMode(False)
-    if sharpest_turn(rail) > _SMOOTH:
-        maker.setTransitionMode(_MITRED)
     maker.add(profile)
     try:
         maker.build()
         surface = maker.shape()
-    except (Part.OCCError, RuntimeError) as error:
-        raise ValueError(
-            f"OpenCASCADE cannot sweep this profile along this rail ({error}). Sweep along a "
-            "shorter piece, or loft through several profiles."
-        ) from None
-    if surface.isNull() or not surface.Faces:
-        raise ValueError("The sweep has no face; let the profile stand across the rail.")
-    if not surface.isValid():
-        raise ValueError(
-            "The swept surface has no width somewhere or crosses itself. Let the profile stand "
-            "across the rail, or sweep along a shorter piece."
-        )
-    require_within_reach(surface, profile, rail)
-    if solid and not maker.makeSolid():
-        raise ValueError("Only a closed profile gives a solid; close it, or set Solid to false.")
-    return maker.shape(), plane is not None
+    except (Part.OCCError, RuntimeError):
+        return None
+    if surface.isNull() or not surface.Faces or not surface.isValid():
+        return None
+    if not is_within_reach(surface, profile, rail) or (solid and not maker.makeSolid()):
+        return None
+    return maker.shape()
 
 
-def require_within_reach(surface: Any, profile: Any, rail: Any) -> None:
-    """Refuse a surface that leaves its rail by more than the profile does.
+def is_within_reach(surface: Any, profile: Any, rail: Any) -> bool:
+    """Whether a surface leaves its rail no farther than the profile does.
 
     OpenCASCADE finds surfaces valid that shoot out by metres.
 
@@ -83,24 +88,15 @@ def require_within_reach(surface: Any, profile: Any, rail: Any) -> None:
     ----------
     surface : Part.Shape, the sweep of the profile along the rail
     profile, rail : Part.Wire
-
-    Raises
-    ------
-    ValueError: some place of the surface is farther from the rail than any of the profile.
     """
     _, nearest, _ = profile.distToShape(rail)
     foot = np.array(nearest[0][1])
     edge = np.concatenate([_samples(part) for part in profile.Edges])
-    # In a corner the profile is cut at half the turn, and reaches farther there.
-    reach = np.linalg.norm(edge - foot, axis=1).max() / np.cos(0.5 * sharpest_turn(rail))
+    reach = np.linalg.norm(edge - foot, axis=1).max()
     way = np.concatenate([_samples(part) for part in rail.Edges])
     step = np.linalg.norm(np.diff(way, axis=0), axis=1).max(initial=0.0)
     away = cKDTree(way).query(_places(surface))[0].max()
-    if away > _ROOM * reach + step:
-        raise ValueError(
-            f"The swept surface leaves the rail by {away:.3g} mm, the profile only by {reach:.3g}: "
-            "its frames turn over. Sweep along a shorter piece, or loft through several profiles."
-        )
+    return bool(away <= _ROOM * reach + step)
 
 
 def sharpest_turn(rail: Any) -> float:

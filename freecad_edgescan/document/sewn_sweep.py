@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The faces of a mitred sweep, sewn to a shell, and filled where it is closed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import Part
+
+from ..geometry import BSplineCurve
+from ..surfacing.mitred_sweep import mitred_sweep
+from .native_curve import curve_of, curve_shape
+from .native_surface import surface_shape
+
+__all__ = ["sewn_sweep"]
+
+_SEWN = 1e-5  # mm, between faces whose rims have the same poles
+
+
+def sewn_sweep(profile: Any, rail: Any, solid: bool) -> Any:
+    """Sweep a profile along a rail, with a mitre in each of its corners.
+
+    Parameters
+    ----------
+    profile, rail : Part.Wire
+    solid : whether it is filled; the profile must be closed then
+
+    Returns
+    -------
+    Part.Shell or Part.Solid.
+
+    Raises
+    ------
+    ValueError: a corner too sharp, no room for the profile, or one that lies along the rail.
+    """
+    spans = [span for curve in _curves(profile) for span in _spans(curve)]
+    swept = mitred_sweep(spans, _curves(rail), bool(rail.isClosed()))
+    faces = [surface_shape(surface) for row in swept.surfaces for surface in row]
+    if solid and not swept.closed:
+        faces += [_cap(curves) for curves in (swept.first, swept.last)]
+    sewn = Part.Compound(faces)
+    sewn.sewShape(_SEWN)
+    if len(sewn.Shells) != 1 or len(sewn.Faces) != len(faces) or not sewn.isValid():
+        raise ValueError(
+            "The swept surface has no width somewhere or crosses itself. Let the profile stand "
+            "across the rail, or sweep along a shorter piece."
+        )
+    (shell,) = sewn.Shells
+    if not solid:
+        return shell
+    filled = Part.Solid(shell)
+    return filled if filled.Volume > 0.0 else filled.reversed()
+
+
+def _curves(wire: Any) -> list[BSplineCurve]:
+    """The exact curves of a Part.Wire's edges, in its direction."""
+    return [curve_of(edge) for edge in wire.OrderedEdges]
+
+
+def _spans(curve: BSplineCurve) -> list[BSplineCurve]:
+    """A curve in pieces without a knot as high as its degree, such as a circle has.
+
+    OpenCASCADE integrates over such a knot as if it were not there: the volume of a tube in one
+    piece comes out wrong by some per cent.
+    """
+    knots, multiplicities = curve.distinct_knots_and_multiplicities()
+    cuts = knots[(multiplicities >= curve.degree) | np.isin(knots, curve.parameter_range)]
+    return [curve.restricted(float(low), float(high)) for low, high in pairwise(cuts)]
+
+
+def _cap(curves: Sequence[BSplineCurve]) -> Any:
+    try:
+        return Part.Face(Part.Wire([curve_shape(curve) for curve in curves]))
+    except Part.OCCError:
+        raise ValueError(
+            "Only a profile in a plane gives a solid; flatten it, or set Solid to false."
+        ) from None
