@@ -32,8 +32,9 @@ Array = NDArray[np.float64]
 
 _SHARPEST = np.deg2rad(120.0)  # of a corner; a mitre is as long as tan(turn / 2)
 _STRAIGHT = 1e-9  # of the tangents' change
-_TOLERANCE = 1e-5  # mm, of a surface between its sections
-_STATIONS = tuple(2**power + 1 for power in range(3, 11))
+_TOLERANCE = 1e-4  # mm, of a surface between its sections; OpenCASCADE's pipes have the same
+_HALVINGS = 12  # of the stretches between the rail's knots
+_GAUSS = 0.5 + np.array([-0.5, 0.5]) / np.sqrt(3.0)
 _SAMPLES = 64  # on each curve of a profile
 _FADING = 0.25  # share of a curved piece over which a mitre fades out, at least
 _STEEP = 6.0  # lengths of what a mitre moves, over which it fades out, at least
@@ -116,7 +117,7 @@ class _Piece:
         self.curve, self.length = curve, curve.length()
         self._frames = OneRailFrame(curve)
         self.turn = self.twist = 0.0
-        tangents = curve.tangent(np.linspace(0.0, 1.0, _STATIONS[2]))
+        tangents = curve.tangent(np.linspace(0.0, 1.0, _SAMPLES))
         self.straight = bool(np.abs(tangents - tangents[0]).max() < _STRAIGHT)
 
     def at(self, share: Array) -> tuple[Array, Array]:
@@ -234,39 +235,52 @@ def _sections(
         np.zeros_like(local) if mitre is None else (mitre(local) - place) @ frame - local
         for mitre, (place, frame) in zip(ends, (piece.end(False), piece.end(True)), strict=True)
     ]
+    fading = [_fading(piece, own) for own in moved]
     if piece.straight:
         share = np.array([0.0, 1.0])
-        knots = np.array([0.0, 0.0, 1.0, 1.0])
-        poles = _moved(piece, moved, local, share)
+        poles = _moved(piece, moved, fading, local, share)
         _require_room(piece, poles, share)
-        return knots, poles
-    for count in _STATIONS:
-        share = np.linspace(0.0, 1.0, count)
-        sections = _moved(piece, moved, local, share)
-        spline = make_interp_spline(share, sections, k=3, axis=0)
-        between = 0.5 * (share[1:] + share[:-1])
-        error = np.abs(spline(between) - _moved(piece, moved, local, between)).max()
-        if error < _TOLERANCE:
-            break
-    else:
-        raise ValueError(
-            f"The rail bends too sharply within one of its edges: the sweep would be {error:.2g} "
-            "mm off. Split that edge where it bends, or sweep along a shorter piece."
-        )
-    _require_room(piece, sections, share)
-    return np.asarray(spline.t), np.asarray(spline.c)
+        return np.array([0.0, 0.0, 1.0, 1.0]), poles
+    # The frames bend as smoothly as the rail's tangent: at its knots only once.
+    own_knots = piece.shares(np.unique(piece.curve.knots))
+    breaks = np.unique(np.concatenate([own_knots, [fading[0], 1.0 - fading[1]]]))
+    breaks = breaks[np.diff(breaks, prepend=-1.0) > 1e-6]
+    breaks[-1] = 1.0
+    for _ in range(_HALVINGS):
+        knots = np.concatenate([[0.0, 0.0], np.repeat(breaks, 2), [1.0, 1.0]])
+        share = (breaks[:-1, None] + np.diff(breaks)[:, None] * _GAUSS).ravel()
+        share = np.concatenate([[0.0], share, [1.0]])
+        sections = _moved(piece, moved, fading, local, share)
+        spline = make_interp_spline(share, sections, k=3, t=knots, axis=0)
+        between = 0.5 * (breaks[1:] + breaks[:-1])
+        truth = _moved(piece, moved, fading, local, between)
+        error = np.abs(spline(between) - truth).max(axis=(1, 2))
+        if error.max() < _TOLERANCE:
+            _require_room(piece, sections, share)
+            return np.asarray(spline.t), np.asarray(spline.c)
+        breaks = np.sort(np.concatenate([breaks, between[error >= _TOLERANCE]]))
+    raise ValueError(
+        f"The rail bends too sharply within one of its edges: the sweep would be {error.max():.2g} "
+        "mm off. Split that edge where it bends, or sweep along a shorter piece."
+    )
 
 
-def _moved(piece: _Piece, moved: list[Array], local: Array, share: Array) -> Array:
+def _fading(piece: _Piece, moved: Array) -> float:
+    """Share of a piece over which what a mitre moves fades out, from an end of the piece."""
+    steep = _STEEP * np.abs(moved).max() / piece.length
+    return 1.0 if piece.straight else float(min(1.0, max(steep, _FADING)))
+
+
+def _moved(
+    piece: _Piece, moved: list[Array], fading: list[float], local: Array, share: Array
+) -> Array:
     """Places (m, k, 3) of points (k, 3) at shares of a piece's length."""
     place, frame = piece.at(share)
     points = np.broadcast_to(local, (len(share), *local.shape)).copy()
-    for own, left in zip(moved, (share, 1.0 - share), strict=True):
-        over = _STEEP * np.abs(own).max() / piece.length
-        if piece.straight or over > 1.0:
-            fade = 1.0 - left
-        else:
-            fade = np.clip(1.0 - left / max(over, _FADING), 0.0, None) ** 3
+    for own, over, left in zip(moved, fading, (share, 1.0 - share), strict=True):
+        fade = np.clip(1.0 - left / over, 0.0, None)
+        if over < 1.0:
+            fade = fade**3
         points += fade[:, None, None] * own
     return np.asarray(place[:, None] + np.einsum("mij,mkj->mki", frame, points))
 
