@@ -30,16 +30,20 @@ def export_step(objects: Sequence[Any], path: str | PathLike[str]) -> None:
 
     Raises
     ------
-    ValueError: nothing to write, or a file that cannot be written.
+    ValueError: an object without a shape, such as one that could not be computed, or a file that
+        cannot be written. Nothing is written then.
     """
     objects = list(objects) if isinstance(objects, Sequence) else [objects]
     named = [(_label(obj, number), _true_shape(obj)) for number, obj in enumerate(objects, start=1)]
-    named = [(label, shape) for label, shape in named if not shape.isNull()]
     target = Path(path).resolve()
     if not named:
+        raise ValueError(f"There is nothing to write into {target.name}; choose objects.")
+    empty = [repr(label) for label, shape in named if shape.isNull()]
+    if empty:
         raise ValueError(
-            f"There is no shape among {len(objects)} objects to write into {target.name}; "
-            "recompute the document first, or choose objects with a shape."
+            f"{target.name} is not written, since {', '.join(empty)} "
+            f"{'has' if len(empty) == 1 else 'have'} no shape yet; recompute the document, or "
+            "choose without."
         )
     try:
         target.open("ab").close()

@@ -11,6 +11,7 @@ from typing import Any
 
 import Part
 
+from .computed_object import MESSAGE
 from .declared_properties import Declared, Role, declare
 from .refusal import RefusalError
 from .sweep_shape import sweep_shape
@@ -22,6 +23,7 @@ _PROPERTIES = (
     Declared("LinkSub", "Spine", "Sweep", "The rail: an object and the names of its edges"),
     Declared("Bool", "Solid", "Sweep", "Whether a closed profile gives a solid"),
     Declared("String", "Frames", "Sweep", "How the profile is kept from turning", Role.RESULT),
+    MESSAGE,
 )
 
 
@@ -59,10 +61,13 @@ def _sweep(obj: Any) -> str | None:
     try:
         shape, planar = sweep_shape(_profile_of(obj), _rail_of(obj), bool(obj.Solid))
     except ValueError as error:
+        obj.Message = str(error)
         return str(error)
     shape.Placement = obj.Placement
     obj.Shape = shape
     obj.Frames = "at a fixed angle to the plane of the rail" if planar else "turning least"
+    kind = "A solid" if shape.ShapeType == "Solid" else "A surface"
+    obj.Message = f"{kind} of {len(shape.Faces)} face(s)."
     return None
 
 

@@ -56,9 +56,10 @@ def _export(doc: Any) -> None:
     chosen = selected_objects(doc) or [
         item for item in doc.Objects if getattr(item.ViewObject, "Visibility", False)
     ]
-    shapes = [item for item in chosen if hasattr(item, "Shape") and not item.Shape.isNull()]
+    # With those that have none yet, which export_step names: nothing is left out unsaid.
+    shapes = [item for item in chosen if hasattr(item, "Shape")]
     edges = [item for item in chosen if hasattr(item, "Sigma")]
-    if not shapes:
+    if all(item.Shape.isNull() for item in shapes):
         raise ValueError(
             translate(
                 "Nothing with a shape is selected or shown. Select scanned edges or surfaces."

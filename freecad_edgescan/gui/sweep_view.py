@@ -18,6 +18,7 @@ class ViewProviderSweep:
 
     def __init__(self, view_object: Any) -> None:
         view_object.Proxy = self
+        self.attach(view_object)
 
     def attach(self, view_object: Any) -> None:
         """FreeCAD shows the object for the first time; Part draws the shape itself."""

@@ -112,9 +112,25 @@ def test_a_sweep_follows_its_profile_and_is_found_again_in_the_file(
     read = FreeCAD.openDocument(path)
     try:
         assert read.Sweep.Shape.Area == pytest.approx(area)
+        assert "surface" in read.Sweep.Message
         read.Line.Shape = Part.makeLine(V(0, 0, 0), V(0, 0, 10))
         read.recompute()
         assert read.Sweep.Shape.Area == pytest.approx(area / 2)
+    finally:
+        FreeCAD.closeDocument(read.Name)
+
+
+def test_a_sweep_of_an_older_file_gets_a_message(doc: Any, tmp_path: Path) -> None:
+    sweep = document.make_sweep(doc, line(doc, (0, 0, 0), (0, 0, 20)), rail_of(doc, wave()))
+    doc.recompute()
+    sweep.removeProperty("Message")
+    path = str(tmp_path / "older.FCStd")
+    doc.saveAs(path)
+    read = FreeCAD.openDocument(path)
+    try:
+        read.Sweep.touch()
+        read.recompute()
+        assert "surface" in read.Sweep.Message
     finally:
         FreeCAD.closeDocument(read.Name)
 
@@ -145,7 +161,7 @@ def test_what_cannot_be_swept_is_said_and_the_last_sweep_stays(doc: Any) -> None
         [Part.makeLine(V(0, 0, 0), V(0, 0, 1)), Part.makeLine(V(0, 5, 0), V(0, 5, 1))]
     )
     doc.recompute()
-    assert "2 wires" in sweep.getStatusString()
+    assert "2 wires" in sweep.Message and sweep.Message in sweep.getStatusString()
     assert sweep.Shape.Area == area
 
 
@@ -207,8 +223,12 @@ def test_a_far_edge_is_written_at_its_true_place(doc: Any, numbers: Any, tmp_pat
     )
 
 
-def test_nothing_to_write_is_said(doc: Any, tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="no shape among 0"):
+def test_what_cannot_be_written_is_said_and_nothing_is_written(doc: Any, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="nothing to write"):
         document.export_step([], tmp_path / "nothing.step")
+    box, failed = Part.makeBox(1, 1, 1), doc.addObject("Part::Feature", "Pipe")
+    with pytest.raises(ValueError, match=r"'Pipe' has no shape yet"):
+        document.export_step([box, failed], tmp_path / "both.step")
     with pytest.raises(ValueError, match="cannot be written"):
-        document.export_step([Part.makeBox(1, 1, 1)], tmp_path / "no" / "box.step")
+        document.export_step([box], tmp_path / "no" / "box.step")
+    assert not list(tmp_path.iterdir())

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +26,18 @@ def edge(window: Any) -> Any:
 
 def icon_of(edge: Any) -> str:
     return Path(edge.ViewObject.Proxy.getIcon()).name
+
+
+def saved_without_a_window(doc: Any, folder: Path) -> Path:
+    """The document's file without what only the window writes; the document is closed."""
+    path, bare = folder / "roof.FCStd", folder / "bare.FCStd"
+    doc.saveAs(str(path))
+    FreeCAD.closeDocument(doc.Name)
+    with zipfile.ZipFile(path) as full, zipfile.ZipFile(bare, "w") as stripped:
+        for member in full.namelist():
+            if member != "GuiDocument.xml" and "Color" not in member:
+                stripped.writestr(member, full.read(member))
+    return bare
 
 
 def test_an_edge_made_by_a_script_is_dressed(edge: Any) -> None:
@@ -50,17 +63,8 @@ def test_an_edge_is_dressed_after_save_and_reopen_and_keeps_its_colour(
 def test_an_edge_from_a_file_written_without_a_window_is_dressed_and_seen(
     window: Any, edge: Any, tmp_path: Path
 ) -> None:
-    import zipfile
-
-    name, path = edge.Name, tmp_path / "roof.FCStd"
-    edge.Document.saveAs(str(path))
-    FreeCAD.closeDocument(edge.Document.Name)
-    bare = tmp_path / "bare.FCStd"
-    with zipfile.ZipFile(path) as full, zipfile.ZipFile(bare, "w") as stripped:
-        for member in full.namelist():
-            if member != "GuiDocument.xml" and "Color" not in member:
-                stripped.writestr(member, full.read(member))
-    doc = FreeCAD.openDocument(str(bare))
+    name = edge.Name
+    doc = FreeCAD.openDocument(str(saved_without_a_window(edge.Document, tmp_path)))
     again = doc.getObject(name)
     assert icon_of(again) == "EdgeScan_ScannedEdge.svg"
     assert again.ViewObject.Visibility
@@ -83,3 +87,25 @@ def test_an_edge_comes_back_dressed_when_its_deletion_is_undone(edge: Any) -> No
     doc.commitTransaction()
     doc.undo()
     assert icon_of(doc.getObject(name)) == "EdgeScan_ScannedEdge.svg"
+
+
+def test_a_sweep_from_a_file_written_without_a_window_stands_above_its_profile(
+    edge: Any, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    import Part
+
+    from freecad_edgescan import document
+
+    curve = edge.Shape.Edges[0]
+    begin, along = curve.valueAt(curve.FirstParameter), curve.tangentAt(curve.FirstParameter)
+    bead = edge.Document.addObject("Part::Feature", "Bead")
+    bead.Shape = Part.Wire(Part.makeCircle(0.5, begin, along))
+    name = document.make_sweep(edge.Document, bead, edge).Name
+    edge.Document.recompute()
+    doc = FreeCAD.openDocument(str(saved_without_a_window(edge.Document, tmp_path)))
+    Gui.updateGui()
+    sweep = doc.getObject(name)
+    assert icon_of(sweep) == "EdgeScan_Sweep.svg"
+    assert sweep.ViewObject.Proxy.claimChildren() == [doc.Bead]
+    FreeCAD.closeDocument(doc.Name)
+    assert "Traceback" not in "".join(capfd.readouterr())
