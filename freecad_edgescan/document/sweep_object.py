@@ -67,7 +67,8 @@ def _sweep(obj: Any) -> str | None:
     obj.Shape = shape
     obj.Frames = "at a fixed angle to the plane of the rail" if planar else "turning least"
     kind = "A solid" if shape.ShapeType == "Solid" else "A surface"
-    obj.Message = f"{kind} of {len(shape.Faces)} face(s)."
+    faces = len(shape.Faces)
+    obj.Message = f"{kind} of {faces} face{'' if faces == 1 else 's'}, {shape.Area:.4g} mm²."
     return None
 
 

@@ -235,8 +235,10 @@ def _sections(
         np.zeros_like(local) if mitre is None else (mitre(local) - place) @ frame - local
         for mitre, (place, frame) in zip(ends, (piece.end(False), piece.end(True)), strict=True)
     ]
-    fading = [_fading(piece, own) for own in moved]
-    if piece.straight:
+    # A straight piece is ruled, unless the frames turn about it by so much that this is narrower.
+    ruled = piece.straight and np.abs(local).max() * piece.twist**2 / 8.0 < _TOLERANCE
+    fading = [1.0 if ruled else _fading(piece, own) for own in moved]
+    if ruled:
         share = np.array([0.0, 1.0])
         poles = _moved(piece, moved, fading, local, share)
         _require_room(piece, poles, share)
@@ -268,7 +270,7 @@ def _sections(
 def _fading(piece: _Piece, moved: Array) -> float:
     """Share of a piece over which what a mitre moves fades out, from an end of the piece."""
     steep = _STEEP * np.abs(moved).max() / piece.length
-    return 1.0 if piece.straight else float(min(1.0, max(steep, _FADING)))
+    return float(min(1.0, max(steep, _FADING)))
 
 
 def _moved(

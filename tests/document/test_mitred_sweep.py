@@ -70,6 +70,15 @@ def test_corners_in_no_plane(lift: float) -> None:
     require_tube(ring(V(12, 0, 0), V(1, 0, 0)), frame(lift), rel=1e-3)
 
 
+def test_a_flat_bar_in_no_plane_comes_round_to_where_it_began() -> None:
+    rail = polygon((0, 0, 0), (10, 0, 0), (10, 9, 5), (0, 9, 9), (0, 0, 0))
+    bar = polygon((5, 1, 0.5), (5, -1, 0.5), (5, -1, -0.5), (5, 1, -0.5), (5, 1, 0.5))
+    shape, planar = sweep_shape(bar, rail, True)
+    assert not planar and shape.isValid()
+    # Ruled sides between ends that are turned by some degrees are a little narrower.
+    assert shape.Volume == pytest.approx(2.0 * 1.0 * rail.Length, rel=1e-4)
+
+
 @pytest.mark.parametrize("tilt", [1e-3, 1e-2, 5e-2])
 @pytest.mark.parametrize("at", [0.0, 12.0])
 def test_a_profile_off_square_leaves_a_tube_as_narrow_as_it_looks(tilt: float, at: float) -> None:
