@@ -81,12 +81,12 @@ def mitred_sweep(
     if np.linalg.svd(local[:, [0, 2]] - local[0, [0, 2]])[1][0] < 1e-6 * np.abs(local).max():
         raise ValueError("The profile lies along the rail; let it stand across the rail.")
     poles = [to_local(curve.poles) for curve in profile]
-    cuts = np.cumsum([len(own) for own in poles])
+    cuts = np.cumsum([len(own) for own in poles])[:-1]
     surfaces = []
     for number, piece in enumerate(pieces):
         ends = _mitres(pieces, number, closed)
-        knots, spline = _sections(piece, ends, np.concatenate([*poles, local]))
-        degree = 3 if spline.shape[0] > 2 else 1
+        knots, moved = _sections(piece, ends, np.concatenate(poles), local)
+        degree = 3 if len(moved) > 2 else 1
         surfaces.append(
             tuple(
                 BSplineSurface(
@@ -97,7 +97,7 @@ def mitred_sweep(
                     if curve.weights is None
                     else np.repeat(curve.weights[:, None], len(own), axis=1),
                 )
-                for curve, own in zip(profile, np.split(spline, cuts, axis=1)[:-1], strict=True)
+                for curve, own in zip(profile, np.split(moved, cuts, axis=1), strict=True)
             )
         )
     return MitredSweep(
@@ -228,21 +228,25 @@ class _Mitre:
 
 
 def _sections(
-    piece: _Piece, ends: tuple[_Mitre | None, _Mitre | None], local: Array
+    piece: _Piece, ends: tuple[_Mitre | None, _Mitre | None], poles: Array, samples: Array
 ) -> tuple[Array, Array]:
-    """Knots along the piece, and poles (m, k, 3) of the curves on which points (k, 3) move."""
+    """Knots along the piece, and poles (m, k, 3) of the curves on which the profile's poles move.
+
+    Its samples are those that must have room: a circle's poles stand far out of it.
+    """
+    local, seen = np.concatenate([poles, samples]), len(poles)
     moved = [
         np.zeros_like(local) if mitre is None else (mitre(local) - place) @ frame - local
         for mitre, (place, frame) in zip(ends, (piece.end(False), piece.end(True)), strict=True)
     ]
     # A straight piece is ruled, unless the frames turn about it by so much that this is narrower.
-    ruled = piece.straight and np.abs(local).max() * piece.twist**2 / 8.0 < _TOLERANCE
-    fading = [1.0 if ruled else _fading(piece, own) for own in moved]
+    ruled = piece.straight and np.abs(samples).max() * piece.twist**2 / 8.0 < _TOLERANCE
+    fading = [1.0 if ruled else _fading(piece, own[seen:]) for own in moved]
     if ruled:
         share = np.array([0.0, 1.0])
-        poles = _moved(piece, moved, fading, local, share)
-        _require_room(piece, poles, share)
-        return np.array([0.0, 0.0, 1.0, 1.0]), poles
+        sections = _moved(piece, moved, fading, local, share)
+        _require_room(piece, sections[:, seen:], share)
+        return np.array([0.0, 0.0, 1.0, 1.0]), sections[:, :seen]
     # The frames bend as smoothly as the rail's tangent: at its knots only once.
     own_knots = piece.shares(np.unique(piece.curve.knots))
     breaks = np.unique(np.concatenate([own_knots, [fading[0], 1.0 - fading[1]]]))
@@ -258,8 +262,8 @@ def _sections(
         truth = _moved(piece, moved, fading, local, between)
         error = np.abs(spline(between) - truth).max(axis=(1, 2))
         if error.max() < _TOLERANCE:
-            _require_room(piece, sections, share)
-            return np.asarray(spline.t), np.asarray(spline.c)
+            _require_room(piece, sections[:, seen:], share)
+            return np.asarray(spline.t), np.asarray(spline.c[:, :seen])
         breaks = np.sort(np.concatenate([breaks, between[error >= _TOLERANCE]]))
     raise ValueError(
         f"The rail bends too sharply within one of its edges: the sweep would be {error.max():.2g} "
