@@ -14,6 +14,7 @@ FreeCAD = pytest.importorskip("FreeCAD")
 Part = pytest.importorskip("Part")
 
 from freecad_edgescan import document  # noqa: E402
+from freecad_edgescan.document.sewn_sweep import sewn_sweep  # noqa: E402
 from freecad_edgescan.document.sweep_shape import sweep_shape  # noqa: E402
 
 V = FreeCAD.Vector
@@ -120,6 +121,19 @@ def test_arcs_with_a_corner_between_them(away: float) -> None:
     rail = Part.Wire([one.toShape(), other])
     # At the corner s = RADIUS is taken off the arc's inner side: RADIUS²/20 of it is off.
     require_tube(ring(V(0, 0, 0), V(0, 1, 0)), rail, rel=1e-3)
+
+
+def test_the_volume_along_a_rail_that_bends_often_is_right_too() -> None:
+    along = np.linspace(0.0, 60.0, 40)
+    curve = Part.BSplineCurve()
+    curve.interpolate(
+        [V(x, 1.5 * np.sin(0.6 * x), np.cos(0.9 * x) + 0.3 * np.sin(2 * x)) for x in along]
+    )
+    rail = Part.Wire(curve.toShape())
+    profile = ring(rail.Edges[0].valueAt(0.0), rail.Edges[0].tangentAt(0.0), 0.3)
+    tube = sewn_sweep(profile, rail, True)
+    assert tube.isValid()
+    assert tube.Volume == pytest.approx(np.pi * 0.3**2 * rail.Length, rel=1e-3)
 
 
 @pytest.mark.parametrize(
