@@ -15,7 +15,7 @@ from ..surfacing.mitred_sweep import mitred_sweep
 from .native_curve import curve_of, curve_shape
 from .native_surface import surface_shape
 
-__all__ = ["sewn_sweep"]
+__all__ = ["sewn_sweep", "smooth_curves"]
 
 _KNOTS = 24  # along the rail, of one face
 _SEWN = 1e-5  # mm, between faces whose rims have the same poles
@@ -37,8 +37,7 @@ def sewn_sweep(profile: Any, rail: Any, solid: bool) -> Any:
     ------
     ValueError: a corner too sharp, no room for the profile, or one that lies along the rail.
     """
-    spans = [span for curve in _curves(profile) for span in _spans(curve)]
-    swept = mitred_sweep(spans, _curves(rail), bool(rail.isClosed()))
+    swept = mitred_sweep(smooth_curves(profile), smooth_curves(rail), bool(rail.isClosed()))
     faces = [
         surface_shape(part) for row in swept.surfaces for whole in row for part in _parts(whole)
     ]
@@ -58,16 +57,16 @@ def sewn_sweep(profile: Any, rail: Any, solid: bool) -> Any:
     return filled if filled.Volume > 0.0 else filled.reversed()
 
 
-def _curves(wire: Any) -> list[BSplineCurve]:
-    """The exact curves of a Part.Wire's edges, in its direction."""
-    return [curve_of(edge) for edge in wire.OrderedEdges]
+def smooth_curves(wire: Any) -> list[BSplineCurve]:
+    """The exact curves of a Part.Wire's edges, in its direction, smooth each."""
+    return [span for edge in wire.OrderedEdges for span in _spans(curve_of(edge))]
 
 
 def _spans(curve: BSplineCurve) -> list[BSplineCurve]:
-    """A curve in pieces without a knot as high as its degree, such as a circle has.
+    """A curve in pieces without a knot as high as its degree, where it may have a corner.
 
-    OpenCASCADE integrates over such a knot as if it were not there: the volume of a tube in one
-    piece comes out wrong by some per cent.
+    A circle has such knots too, and OpenCASCADE integrates over them as if they were not there: the
+    volume of a tube in one piece comes out wrong by some per cent.
     """
     knots, multiplicities = curve.distinct_knots_and_multiplicities()
     cuts = knots[(multiplicities >= curve.degree) | np.isin(knots, curve.parameter_range)]

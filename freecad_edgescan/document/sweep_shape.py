@@ -21,7 +21,7 @@ import Part
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from .sewn_sweep import sewn_sweep
+from .sewn_sweep import sewn_sweep, smooth_curves
 
 __all__ = ["is_within_reach", "sweep_shape"]
 
@@ -100,16 +100,11 @@ def is_within_reach(surface: Any, profile: Any, rail: Any) -> bool:
 
 
 def sharpest_turn(rail: Any) -> float:
-    """The largest turn from one edge of a Part.Wire to the next, rad."""
-    ends = [_directions(edge) for edge in rail.OrderedEdges]
+    """The largest turn of a Part.Wire in a corner, between its edges or within one, rad."""
+    ends = [curve.tangent(np.array(curve.parameter_range)) for curve in smooth_curves(rail)]
     pairs = list(pairwise(ends)) + ([(ends[-1], ends[0])] if rail.isClosed() else [])
-    return max((float(before[1].getAngle(after[0])) for before, after in pairs), default=0.0)
-
-
-def _directions(edge: Any) -> tuple[Any, Any]:
-    """Of an edge at its start and its end, along the wire it is in."""
-    first, last = (edge.tangentAt(parameter) for parameter in edge.ParameterRange)
-    return (first, last) if edge.Orientation == "Forward" else (-last, -first)
+    turns = [np.linalg.norm(after[0] - before[1]) for before, after in pairs]
+    return float(2.0 * np.arcsin(0.5 * np.minimum(turns, 2.0)).max(initial=0.0))
 
 
 def _samples(edge: Any) -> Array:

@@ -123,6 +123,13 @@ def test_arcs_with_a_corner_between_them(away: float) -> None:
     require_tube(ring(V(0, 0, 0), V(0, 1, 0)), rail, rel=1e-3)
 
 
+def test_a_spline_with_corners_is_mitred_in_them() -> None:
+    curve = Part.BSplineCurve()
+    corners = [V(0, 0, 0), V(24, 0, 0), V(24, 18, 0), V(40, 18, 0)]
+    curve.buildFromPolesMultsKnots(corners, [2, 1, 1, 2], [0.0, 1.0, 2.0, 3.0], False, 1)
+    require_tube(ring(V(24, 9, 0), V(0, 1, 0)), Part.Wire(curve.toShape()))
+
+
 def test_the_volume_along_a_rail_that_bends_often_is_right_too() -> None:
     along = np.linspace(0.0, 60.0, 40)
     curve = Part.BSplineCurve()
