@@ -45,15 +45,16 @@ def sewn_sweep(profile: Any, rail: Any, solid: bool) -> Any:
         faces += [_cap(curves) for curves in (swept.first, swept.last)]
     sewn = Part.Compound(faces)
     sewn.sewShape(_SEWN)
-    if len(sewn.Shells) != 1 or len(sewn.Faces) != len(faces) or not sewn.isValid():
+    # Sewing makes no shell of a single face.
+    shells = sewn.Shells if len(faces) > 1 else [Part.Shell(faces)]
+    if len(shells) != 1 or len(shells[0].Faces) != len(faces) or not shells[0].isValid():
         raise ValueError(
             "The swept surface has no width somewhere or crosses itself. Let the profile stand "
             "across the rail, or sweep along a shorter piece."
         )
-    (shell,) = sewn.Shells
     if not solid:
-        return shell
-    filled = Part.Solid(shell)
+        return shells[0]
+    filled = Part.Solid(shells[0])
     return filled if filled.Volume > 0.0 else filled.reversed()
 
 

@@ -106,6 +106,19 @@ def test_a_wall_that_stands_on_the_rail_keeps_upright() -> None:
     assert shape.BoundBox.ZLength == pytest.approx(5.0, abs=1e-6)
 
 
+def test_a_single_face_is_a_shell_too() -> None:
+    shape = sewn_sweep(polygon((0, 0, 0), (0, 0, 2)), polygon((0, 0, 0), (9, 0, 0)), False)
+    assert shape.ShapeType == "Shell" and shape.isValid()
+    assert shape.Area == pytest.approx(2.0 * 9.0, rel=1e-12)
+
+
+def test_a_closed_smooth_rail_gives_a_torus() -> None:
+    rail = Part.Wire(Part.makeCircle(5.0))
+    shape = sewn_sweep(ring(V(5, 0, 0), V(0, 1, 0)), rail, True)
+    assert shape.ShapeType == "Solid" and shape.isValid()
+    assert shape.Volume == pytest.approx(2 * np.pi**2 * 5.0 * RADIUS**2, rel=1e-5)
+
+
 def test_edges_drawn_against_each_other_are_one_rail() -> None:
     places = [V(0, 0, 0), V(24, 0, 0), V(24, 18, 0), V(40, 18, 0)]
     edges = [Part.makeLine(*pair) for pair in pairwise(places)]
