@@ -52,6 +52,15 @@ def test_the_wires_of_a_box_are_its_edges_for_three_of_them_meet_in_each_corner(
     assert len(wires) == 12 and all(len(wire.Edges) == 1 for wire in wires)
 
 
+def test_what_is_no_network_of_numbers_is_told_what_to_take(
+    doc: Any, box_cloud: es.PointCloud
+) -> None:
+    made = document.make_edge_network(doc, document.make_cloud(doc, box_cloud))
+    for function in (document.network_wires, document.network_shape):
+        with pytest.raises(ValueError, match=r"'EdgeNetwork' is no EdgeNetwork.*make_edge_wire"):
+            function(made)
+
+
 def test_the_object_finds_the_edges_and_computes_nothing_twice(
     doc: Any, box_cloud: es.PointCloud
 ) -> None:
