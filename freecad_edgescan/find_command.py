@@ -14,6 +14,7 @@ from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.edge_table import sigma_text
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.scanning import EdgeNetwork, Stop, find_edges
+from freecad_edgescan.scanning.edge_point_table import COLUMNS, edge_point_rows
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
 
 __all__ = ["find_in_file"]
@@ -130,15 +131,9 @@ def write_corners(network: EdgeNetwork, path: Path) -> None:
 
 
 def write_table(network: EdgeNetwork, path: Path) -> None:
-    """One row for each edge point: the edge's number, position, sigma, tangent, turn, radius."""
-    header = ["edge", "x_mm", "y_mm", "z_mm", "sigma_mm", "tangent_x", "tangent_y", "tangent_z"]
-    header += ["angle_deg", "fillet_radius_mm", "supported"]
+    """One row for each edge point: the edge's number, and what is known of the point."""
     with path.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow(header)
+        writer.writerow(["edge", *COLUMNS])
         for number, edge in enumerate(network.edges, 1):
-            for j in range(len(edge)):
-                row = [*edge.points[j], edge.sigma[j], *edge.tangents[j]]
-                row += [np.degrees(edge.angle[j]), edge.fillet_radius[j]]
-                rounded = [f"{value:.6f}" for value in row]
-                writer.writerow([number, *rounded, int(edge.supported[j])])
+            writer.writerows([number, *row] for row in edge_point_rows(edge))

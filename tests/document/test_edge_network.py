@@ -302,7 +302,11 @@ def test_a_network_is_exported_and_reported(searched_cloud: Any, tmp_path: Path)
     made = document.make_edge_network(doc, searched_cloud, min_length=20.0, name="LongEdges")
     doc.recompute()
     document.export_csv([made], tmp_path / "edges.csv")
-    rows = (tmp_path / "edges.csv").read_text().splitlines()[1:]
+    header, *rows = (tmp_path / "edges.csv").read_text().splitlines()
+    angles = [float(row.split(",")[header.split(",").index("angle_deg")]) for row in rows]
+    assert np.allclose(angles, 90.0, atol=6.0)  # noise of a tenth of the pitch
+    along = np.abs([[float(value) for value in row.split(",")[5:8]] for row in rows])
+    assert np.allclose(along, (1.0, 0.0, 0.0), atol=0.1)
     points = np.array([[float(value) for value in row.split(",")[1:4]] for row in rows])
     away = np.sort(np.minimum(np.abs(points), np.abs(points - SIZE)), axis=1)
     assert np.hypot(away[:, 0], away[:, 1]).max() < PITCH
