@@ -21,6 +21,7 @@ from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .computed_shape import write_shape
 from .declared_properties import Declared
 from .edge_points import EDGE_POINTS, write_edge_points
+from .file_coordinates import refuse_file_coordinates
 from .given_numbers import least_angle
 from .linked_geometry import require_cloud
 from .native_curve import vector
@@ -73,6 +74,7 @@ def make_scanned_boundary(
     """
     require_cloud(cloud)
     places = _places(at, inside)
+    refuse_file_coordinates(cloud, *places)
     obj = doc.addObject("Part::FeaturePython", name)
     ScannedBoundaryProxy(obj)
     obj.Cloud = cloud
