@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
+from freecad_edgescan import __version__
 from freecad_edgescan.accuracy_options import ACCURACY_TEXT, add_accuracy_options
 from freecad_edgescan.bench_options import add_bench_options
 from freecad_edgescan.doe_options import DOE_TEXT, add_doe_options
@@ -59,6 +60,7 @@ def read_options(words: Sequence[str]) -> argparse.Namespace:
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="edgescan", description="True sharp edges from scanned point clouds.")
+    parser.add_argument("--version", action="version", version=f"EdgeScan {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND", dest="command")
 
     add_scan_options(_add_command(commands, "scan", "scan edges of a cloud", SCAN_EXAMPLES))
