@@ -274,6 +274,19 @@ def test_what_to_give_is_an_option_on_the_command_line_and_an_argument_in_python
         recommend_parameters(PointCloud(narrow), (-1.0, 0.2, 0.0), method="probe")
 
 
+def test_how_far_a_probe_radius_moves_a_sharp_rim_is_said_and_true(capsys, roof_file: Path) -> None:
+    """Points on the part itself, given a radius by mistake, look like a sharp inner edge."""
+    table = roof_file.parent / "moved.csv"
+    words = ["--at", "-1,0.2,0", "--probe-radius", "1", "-o", str(table)]
+    assert main(["scan", str(roof_file), *words]) == 0
+    said = capsys.readouterr().out
+    away = np.linalg.norm(edge_points(table)[:, 1:], axis=1).mean()
+    assert away == pytest.approx(np.sqrt(2.0), abs=0.02)  # of a right angle
+    stated = re.search(r"the edge lies (\S+) mm off", said)
+    assert stated is not None and float(stated[1]) == pytest.approx(away, abs=0.02)
+    assert "If the points lie on the part itself, give no probe radius." in said
+
+
 def test_what_does_not_go_together_in_bench_is_said(capsys) -> None:
     assert main(["bench", "--sizes", "--parts"]) == 2
     assert "give one at a time" in capsys.readouterr().err
