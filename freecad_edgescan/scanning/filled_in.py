@@ -15,9 +15,9 @@ GIVEN = "given"
 SEARCH_DISTANCE = (30.0, "as in the published case study (appendix F)")
 # The ways of a probed scan that nobody has to choose.
 WAYS = {
-    "tangent": (Tangent.POLYNOMIALS, "follows sides that bend (4.4.1.3)"),
+    "tangent": (Tangent.POLYNOMIALS, "follows sides that bend (Schreve 4.4.1.3)"),
     "steering": (Steering.TANGENT, "the edge's direction is smoothed anyway"),
-    "compensation": (Compensation.INTERSECTION, "each line with its neighbours (4.5.4)"),
+    "compensation": (Compensation.INTERSECTION, "each line with its neighbours (Schreve 4.5.4)"),
 }
 _PREHIT = 4.0  # cloud pitches (Schreve appendix F)
 

@@ -109,6 +109,8 @@ class Recommendation:
             f"Error to expect: {self.expected_error:.2g} mm (form of the surfaces "
             f"{self.model_bias:.2g}, noise {self.noise_error:.2g} mm)"
         )
+        if self.method == "probe":
+            lines.append("Schreve: sections of the dissertation that docs/probe.md goes by.")
         return "\n".join(lines)
 
     def _surfaces(self) -> str:
