@@ -145,7 +145,7 @@ def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoi
     filled = filled_in(
         given,
         reasons,
-        search_distance=(search, "half a side, at most the 30 mm of appendix F"),
+        search_distance=(search, "half a side, at most the 30 mm of Schreve appendix F"),
     )
     filled = filled_in(
         with_distances(filled, pitch, reasons),
@@ -210,7 +210,7 @@ def _line_pitch(around: Surroundings, amplitude: float, degree: int) -> tuple[fl
 
 def _edge_pitch(line_pitch: float, least: float) -> tuple[float, str]:
     if line_pitch >= least:
-        return line_pitch, "the line pitch (table 1)"
+        return line_pitch, "the line pitch (Schreve table 1)"
     return least, f"{LEAST_PITCHES:g} times the cloud pitch (Schreve 4.4.4)"
 
 
