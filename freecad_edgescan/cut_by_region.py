@@ -49,8 +49,8 @@ def cut_by_region(edges: dict[int, ScannedEdge], corners: Corners | None) -> str
         return ""
     which = ", ".join(map(str, cut))
     return (
-        f"Edge{'s' * (len(cut) > 1)} {which} may go on: the points end there because --region "
-        "ends; give a larger one to go on."
+        f"Edge{'s' * (len(cut) > 1)} {which} may go on: the points end where --region does, or "
+        "near it; give a larger one to see."
     )
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from freecad_edgescan.cloud_file import cloud_of
+from freecad_edgescan.cut_by_region import cut_by_region
 from freecad_edgescan.edge_table import sigma_text
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.scanning import EdgeNetwork, Stop, find_edges
@@ -44,6 +45,8 @@ def find_in_file(options: argparse.Namespace) -> int:
         _write(options, network, written)
     finally:
         print(network_table(network))
+        if cut := cut_by_region(dict(enumerate(network.edges, 1)), options.region):
+            print(cut)
         for path in written:
             print(f"Wrote {path}")
     return exit_code(progress) if network.cancelled else 0

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..scanning.edge_point_table import COLUMNS, row_of
 from .bridge import origin_of
+from .linked_geometry import is_cloud
 
 __all__ = ["export_csv"]
 
@@ -35,6 +36,11 @@ def export_csv(objects: Sequence[Any], path: str | PathLike[str]) -> None:
     objects = list(objects) if isinstance(objects, Sequence) else [objects]
     rows = [row for obj in objects for row in _rows(obj)]
     target = Path(path)
+    if not rows and any(is_cloud(obj) for obj in objects):
+        raise ValueError(
+            "A table holds edge points, and a cloud has none; write its points with "
+            "es.write_cloud(es.PointCloud(document.points_of(cloud)), 'cloud.ply')."
+        )
     if not rows:
         raise ValueError(
             f"There are no edge points among {len(objects)} objects to write into {target.name}; "

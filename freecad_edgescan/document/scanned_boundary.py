@@ -109,7 +109,10 @@ class ScannedBoundaryProxy(ComputedProxy):
         obj.MeanSigma, obj.LargestSigma = float(sigma.mean()), float(sigma.max())
         obj.Stops = [result[0].stops[0].name, result[-1].stops[1].name]
         if is_closed(result):
-            message = f"{len(result)} edges, which close round the face."
+            one = len(result) == 1
+            message = (
+                f"{len(result)} edge{'' if one else 's'}, which close{'s' * one} round the face."
+            )
         else:
             message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
         write_shape(obj, shape, message, origin_of(obj.Cloud))

@@ -42,7 +42,10 @@ def with_distances(given: ScanParameters, pitch: float, reasons: dict[str, str])
     return filled_in(
         given,
         reasons,
-        prehit_distance=(_PREHIT * pitch, f"{_PREHIT:g} times the cloud pitch (Schreve appendix F)"),
+        prehit_distance=(
+            _PREHIT * pitch,
+            f"{_PREHIT:g} times the cloud pitch (Schreve appendix F)",
+        ),
         search_distance=SEARCH_DISTANCE,
     )
 

@@ -87,6 +87,9 @@ def test_a_table_of_nothing_is_refused(doc: Any, tmp_path: Path) -> None:
     doc.recompute()
     with pytest.raises(ValueError, match="no edge points"):
         document.export_csv([box], tmp_path / "edges.csv")
+    cloud = document.make_cloud(doc, np.random.default_rng(0).random((40, 3)))
+    with pytest.raises(ValueError, match=r"es\.write_cloud"):
+        document.export_csv([cloud], tmp_path / "edges.csv")
     assert not (tmp_path / "edges.csv").exists()
 
 
