@@ -39,7 +39,8 @@ def cloud_of(options: argparse.Namespace) -> PointCloud:
         )
     if progress.cancelled:
         raise KeyboardInterrupt
-    if options.unit is None and 0.0 < (across := float(cloud.size.max())) < SMALLEST_PART:
+    unsure = options.unit is None and options.region is None  # a box may be as small as wanted
+    if unsure and 0.0 < (across := float(cloud.size.max())) < SMALLEST_PART:
         tell(
             f"{options.file} is only {across:.3g} mm across; is the file in metres? "
             "If so, give --unit m (or --unit inch)."

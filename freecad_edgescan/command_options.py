@@ -11,8 +11,10 @@ import argparse
 import re
 from collections.abc import Sequence
 from pathlib import Path
+from textwrap import fill
 from typing import Any, NoReturn
 
+from freecad_edgescan import __version__
 from freecad_edgescan.accuracy_options import ACCURACY_TEXT, add_accuracy_options
 from freecad_edgescan.bench_options import add_bench_options
 from freecad_edgescan.doe_options import DOE_TEXT, add_doe_options
@@ -23,9 +25,17 @@ from freecad_edgescan.sweep_options import SWEEP_TEXT, add_sweep_options
 
 __all__ = ["read_options"]
 
+BENCH_SUMMARY = (
+    "how fast this machine is; with --parts, how much of all edges of known parts is found, how "
+    "much of what is found is true, and how exactly"
+)
+
 SURFACES_TEXT = """\
-Prints the extension of appendix H and the edge of test 2S1.11 by way of surfaces (appendix I)
-beside the published figures, and how long fits and projections take beside FITPACK and FreeCAD."""
+Prints two examples of K. Schreve's dissertation (2001) beside the figures printed there, and how
+long fits and projections take beside FITPACK and FreeCAD:
+  appendix H    a surface that is extended over its side, beside two other ways to extend it
+  test 2S1.11   one of its simulated scans, of an edge of radius 35 mm: the edge in which the two
+                surfaces fitted to its sides meet (printed in appendix I), beside scanning it"""
 
 CASESTUDY_TEXT = """\
 The core box of the published case study, from its raster of probe centres to swept surfaces: its
@@ -59,6 +69,7 @@ def read_options(words: Sequence[str]) -> argparse.Namespace:
 
 def _parser() -> argparse.ArgumentParser:
     parser = _Parser(prog="edgescan", description="True sharp edges from scanned point clouds.")
+    parser.add_argument("--version", action="version", version=f"EdgeScan {__version__}")
     commands = parser.add_subparsers(required=True, metavar="COMMAND", dest="command")
 
     add_scan_options(_add_command(commands, "scan", "scan edges of a cloud", SCAN_EXAMPLES))
@@ -81,7 +92,7 @@ def _parser() -> argparse.ArgumentParser:
         help="the cloud from three sides with its coordinates, to read places for scan --at from",
     )  # fmt: skip
 
-    add_bench_options(_add_command(commands, "bench", "how fast this machine is"))
+    add_bench_options(_add_command(commands, "bench", BENCH_SUMMARY))
     add_accuracy_options(
         _add_command(
             commands, "accuracy", "how exactly edges of CAD parts are found", ACCURACY_TEXT
@@ -119,7 +130,7 @@ def _add_command(
     parser: argparse.ArgumentParser = commands.add_parser(
         name,
         help=summary,
-        description=summary[0].upper() + summary[1:] + ". Lengths are mm.",
+        description=fill(summary[0].upper() + summary[1:] + ". Lengths are mm.", 98),
         epilog=epilog,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )

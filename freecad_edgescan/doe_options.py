@@ -25,8 +25,9 @@ _OF_RUNS = {
     "plot": None,
 }
 
-DOE_TEXT = """Simulates the 192 objects of Schreve's experiments (appendix E), scans each in two
-patterns and two degrees, and compares the errors with the published ones. Prints
+DOE_TEXT = """Simulates the 192 objects of K. Schreve's experiments (appendix E of the
+dissertation of 2001, whose numbers the figures have), scans each in two patterns and two
+degrees, and compares the errors with the published ones. docs/experiments.md tells more. Prints
   effects   how much each of 11 parameters changes the error, beside the published effect
   failures  the runs that did not reach the gate, with what may have caused that
   ratios    our error over the published one, geometric mean over what both completed

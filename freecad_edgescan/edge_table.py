@@ -7,7 +7,7 @@ import numpy as np
 
 from freecad_edgescan.scanning import ScannedEdge
 
-__all__ = ["edge_table"]
+__all__ = ["edge_table", "sigma_text"]
 
 
 def edge_table(edges: dict[int, ScannedEdge]) -> str:
@@ -25,13 +25,13 @@ def edge_table(edges: dict[int, ScannedEdge]) -> str:
         sigma, angle = np.mean(edge.sigma), np.degrees(np.mean(edge.angle))
         lines.append(
             f"{number:4d}  {len(edge.points):6d}  {length:9.3f}  {stops:<24}"
-            f"  {_digits(sigma):>7}  {angle:6.1f}  {radius}"
+            f"  {sigma_text(sigma):>7}  {angle:6.1f}  {radius}"
         )
         if edge.message:
             lines.append(f"      {edge.message}")
     return "\n".join(lines)
 
 
-def _digits(sigma: float) -> str:
-    """Four decimals, or two significant digits where these would say less."""
+def sigma_text(sigma: float) -> str:
+    """A standard deviation, mm: four decimals, or two digits where these would say less."""
     return f"{sigma:.4f}" if sigma >= 0.00095 else f"{sigma:.2g}"

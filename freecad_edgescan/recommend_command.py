@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 
 from freecad_edgescan.cloud_file import cloud_of
+from freecad_edgescan.cut_by_region import told_of_region
 from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import ScanError, ScanParameters, recommend_parameters
 
@@ -21,8 +22,9 @@ def recommend_for_file(options: argparse.Namespace) -> int:
         )
     parameters = ScanParameters(**given_parameters(options))
     cloud = cloud_of(options)
-    texts = [
-        recommend_parameters(cloud, at, parameters, options.method).text() for at in options.at
-    ]
+    texts = []
+    for at in options.at:
+        with told_of_region(at, options.region):
+            texts.append(recommend_parameters(cloud, at, parameters, options.method).text())
     print("\n\n".join(texts))
     return 0

@@ -10,6 +10,7 @@ from typing import Any
 
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.cloud_file import cloud_of
+from freecad_edgescan.cut_by_region import cut_by_region, told_of_region
 from freecad_edgescan.edge_table import edge_table
 from freecad_edgescan.output_files import PICTURES, check_not_the_scan, check_output
 from freecad_edgescan.scan_options import given_parameters
@@ -35,9 +36,9 @@ def scan_file(options: argparse.Namespace) -> int:
     parameters = ScanParameters(**given_parameters(options))
     cloud = cloud_of(options)
     if options.inside is None:
-        edges, code = _scan_targets(cloud, targets, parameters, options.method)
+        edges, code = _scan_targets(cloud, targets, parameters, options)
     else:
-        edges, code = _scan_boundary(cloud, targets[0][0], options.inside, parameters)
+        edges, code = _scan_boundary(cloud, targets[0][0], parameters, options)
         targets = targets * len(edges)
     if not edges:
         return code
@@ -47,6 +48,8 @@ def scan_file(options: argparse.Namespace) -> int:
             written.append(path)
     finally:
         print(edge_table(edges))
+        if cut := cut_by_region(edges, options.region):
+            print(cut)
         for path in written:
             print(f"Wrote {path}")
     return code
@@ -149,7 +152,10 @@ def _check_outputs(options: argparse.Namespace, clicks: int) -> None:
 
 
 def _scan_targets(
-    cloud: PointCloud, targets: Sequence[tuple[Any, Any]], parameters: ScanParameters, method: str
+    cloud: PointCloud,
+    targets: Sequence[tuple[Any, Any]],
+    parameters: ScanParameters,
+    options: argparse.Namespace,
 ) -> tuple[dict[int, ScannedEdge], int]:
     """Edges by their number, and the exit code: 2 after a failure, 130 after Ctrl-C.
 
@@ -159,7 +165,10 @@ def _scan_targets(
     for number, (at, gate) in enumerate(targets, 1):
         with TerminalProgress(f"edge {number} of {len(targets)}") as progress:
             try:
-                edges[number] = scan_edge(cloud, at, gate, parameters, method, progress=progress)
+                with told_of_region(getattr(at, "point", at), options.region):
+                    edges[number] = scan_edge(
+                        cloud, at, gate, parameters, options.method, progress=progress
+                    )
             except ValueError as error:
                 progress.clear()
                 tell(f"edge {number}: {error}")
@@ -169,12 +178,13 @@ def _scan_targets(
 
 
 def _scan_boundary(
-    cloud: PointCloud, at: Any, inside: Any, parameters: ScanParameters
+    cloud: PointCloud, at: Any, parameters: ScanParameters, options: argparse.Namespace
 ) -> tuple[dict[int, ScannedEdge], int]:
     """Edges round a face by their number, and the exit code."""
     with TerminalProgress("edges round the face") as progress:
         try:
-            found = scan_boundary(cloud, at, inside, parameters, progress=progress)
+            with told_of_region(at, options.region):
+                found = scan_boundary(cloud, at, options.inside, parameters, progress=progress)
         except ValueError as error:
             progress.clear()
             tell(str(error))

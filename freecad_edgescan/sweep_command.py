@@ -11,6 +11,7 @@ import numpy as np
 
 from freecad_edgescan.cloud import PointCloud, compensate_cloud
 from freecad_edgescan.cloud_file import cloud_of
+from freecad_edgescan.cut_by_region import told_of_region
 from freecad_edgescan.edge_table import edge_table
 from freecad_edgescan.geometry import BSplineCurve, BSplineSurface
 from freecad_edgescan.output_files import PICTURES, check_output
@@ -39,7 +40,10 @@ def sweep_file(options: argparse.Namespace) -> int:
     cloud = cloud_of(options)
     with TerminalProgress("sweep") as progress:
         clicks = [*options.rail, *options.profile]
-        edges = {k: scan_edge(cloud, at, progress=progress) for k, at in enumerate(clicks, 1)}
+        edges = {}
+        for number, at in enumerate(clicks, 1):
+            with told_of_region(at, options.region):
+                edges[number] = scan_edge(cloud, at, progress=progress)
         if progress.cancelled:
             return exit_code(progress, found=False)
         curves = [edge.curve() for edge in edges.values()]

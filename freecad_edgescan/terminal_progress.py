@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 import signal
 import sys
 import threading
@@ -15,10 +16,17 @@ from typing import Any
 __all__ = ["TerminalProgress", "exit_code", "tell"]
 
 
+_ARGUMENT = re.compile(r"\b(method|unit)='(\w+)'")  # as it is given in Python
+
+
 def tell(sentence: str) -> None:
-    """Say a sentence on stderr; silent where nobody reads it any more."""
+    """Say a sentence on stderr; silent where nobody reads it any more.
+
+    Where it advises to give an argument, as the functions do that raise it, an option is named.
+    """
     with suppress(BrokenPipeError):
-        print(f"edgescan: {sentence}", file=sys.stderr, flush=True)
+        typed = _ARGUMENT.sub(r"--\1 \2", sentence)
+        print(f"edgescan: {typed}", file=sys.stderr, flush=True)
 
 
 class TerminalProgress:

@@ -239,6 +239,54 @@ def test_what_is_no_region_is_said(capsys, roof_file: Path, region: list[str], s
     assert said in capsys.readouterr().err
 
 
+def test_an_edge_that_the_region_cuts_is_said_to_go_on(capsys, roof_file: Path) -> None:
+    words = ["scan", str(roof_file), "--at", "-1,0.2,0", "--region"]
+    assert main([*words, "-10,-20,-20", "10,20,20"]) == 0
+    assert "Edge 1 may go on" in capsys.readouterr().out
+    assert main([*words, "-50,-50,-50", "50,50,50"]) == 0  # all of the part is in it
+    assert "--region" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("command", ["scan", "recommend"])
+def test_a_click_that_the_region_leaves_out_is_said(capsys, roof_file: Path, command: str) -> None:
+    words = (command, roof_file, "--at", "15,0,0", "--region", "-10,-20,-20", "0,20,20")
+    said = complaint(capsys, *words)
+    assert "lies outside the --region (-10, -20, -20) to (0, 20, 20)" in said
+
+
+def test_a_small_region_of_a_part_is_no_sign_of_metres(capsys, roof_file: Path) -> None:
+    main(["info", str(roof_file), "--region", "0,0,-0.9", "0.9,0.9,0"])
+    said = capsys.readouterr()
+    assert "points" in said.out and "metres" not in said.err
+
+
+def test_what_to_give_is_an_option_on_the_command_line_and_an_argument_in_python(
+    capsys, tmp_path: Path
+) -> None:
+    from freecad_edgescan.cloud import PointCloud
+    from freecad_edgescan.scanning import ScanError, recommend_parameters
+
+    narrow = roof()[np.abs(roof()[:, 1]) < 3 * PITCH]
+    np.savetxt(tmp_path / "narrow.xyz", narrow)
+    said = complaint(capsys, "recommend", tmp_path / "narrow.xyz", "--at", "-1,0.2,0")
+    assert "Take --method patch, which" in said
+    with pytest.raises(ScanError, match="Take method='patch', which"):
+        recommend_parameters(PointCloud(narrow), (-1.0, 0.2, 0.0), method="probe")
+
+
+def test_how_far_a_probe_radius_moves_a_sharp_rim_is_said_and_true(capsys, roof_file: Path) -> None:
+    """Points on the part itself, given a radius by mistake, look like a sharp inner edge."""
+    table = roof_file.parent / "moved.csv"
+    words = ["--at", "-1,0.2,0", "--probe-radius", "1", "-o", str(table)]
+    assert main(["scan", str(roof_file), *words]) == 0
+    said = capsys.readouterr().out
+    away = np.linalg.norm(edge_points(table)[:, 1:], axis=1).mean()
+    assert away == pytest.approx(np.sqrt(2.0), abs=0.02)  # of a right angle
+    stated = re.search(r"the edge lies (\S+) mm off", said)
+    assert stated is not None and float(stated[1]) == pytest.approx(away, abs=0.02)
+    assert "If the points lie on the part itself, give no probe radius." in said
+
+
 def test_what_does_not_go_together_in_bench_is_said(capsys) -> None:
     assert main(["bench", "--sizes", "--parts"]) == 2
     assert "give one at a time" in capsys.readouterr().err
@@ -361,6 +409,16 @@ def test_a_handful_of_points_is_no_surface(capsys, tmp_path: Path) -> None:
 def test_a_cloud_without_an_edge_says_so(capsys, tmp_path: Path, points: np.ndarray) -> None:
     np.savetxt(tmp_path / "dull.xyz", points)
     complaint(capsys, "scan", tmp_path / "dull.xyz", "--at", "5,5,0")
+
+
+@pytest.mark.parametrize("command", ["info", "find", "scan --at 5,5,5", "recommend --at 5,5,5"])
+def test_points_that_are_there_many_times_are_said_to_be(
+    capsys, tmp_path: Path, command: str
+) -> None:
+    places = np.random.default_rng(0).uniform(0.0, 10.0, (100, 3))
+    np.savetxt(tmp_path / "again.xyz", np.repeat(places, 50, axis=0))
+    said = complaint(capsys, *command.split(), tmp_path / "again.xyz")
+    assert "there 50 times or more among its 5000 points" in said and "once" in said
 
 
 def test_a_click_off_the_cloud_says_how_far(capsys, roof_file: Path) -> None:

@@ -12,6 +12,7 @@ from xml.etree import ElementTree
 import pytest
 
 import freecad_edgescan
+from freecad_edgescan.__main__ import main
 
 FOLDER = Path(__file__).resolve().parents[1]
 
@@ -30,6 +31,13 @@ def project() -> dict:
 
 def test_the_version_is_that_of_the_package(manifest) -> None:
     assert manifest.findtext("version") == freecad_edgescan.__version__
+
+
+def test_the_command_line_tells_the_version(manifest, capsys) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["--version"])
+    assert ended.value.code == 0
+    assert capsys.readouterr().out == f"EdgeScan {manifest.findtext('version')}\n"
 
 
 def test_every_required_field_is_there(manifest) -> None:

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 
 _SOME = 1000  # points that tell whether a cloud extends in all directions
 FEWEST_POINTS = 20  # below this no local surface can be told from noise
+_FEW = 8  # points that tell whether all of them are there many times
 _LARGE = 2_000_000  # points from which on memory counts
 _LEAVES = (16, 32)  # points in a leaf of the tree, and of a large cloud: 10 bytes a point less
 FARTHEST = 1e12  # mm; beyond it squares and differences lose their meaning
@@ -171,13 +172,15 @@ def require_surface(cloud: PointCloud) -> None:
 
     Raises
     ------
-    ValueError: fewer than 20 points, or all of them equal, on one line or on one plane.
+    ValueError: fewer than 20 points, all of them equal, on one line or on one plane, or each
+        of them there so often that it has no neighbours but itself.
     """
     if len(cloud) < FEWEST_POINTS:
         raise ValueError(
             f"The cloud holds {len(cloud)} points; an edge needs at least {FEWEST_POINTS}. "
             "Take a larger region or a denser scan."
         )
+    _refuse_repetitions(cloud.points)
     # Some points never extend farther than all of them.
     some = cloud.points[:: max(1, len(cloud) // _SOME)]
     long, _, thick = _principal_extents(some)
@@ -202,6 +205,22 @@ def require_surface(cloud: PointCloud) -> None:
             f"({extents[0]:.4g} x {extents[1]:.4g} mm), which has no edge between two surfaces. "
             "Scan the second surface too, or take a larger region."
         )
+
+
+def _refuse_repetitions(points: Array) -> None:
+    """Refuse points of which each one's neighbours are itself again, so that no pitch is there."""
+    places = points[:: max(1, len(points) // _FEW)]
+    times = min(_count_of(place, points) for place in places)
+    if statistics.PITCH_NEIGHBOURS <= times < len(points):
+        raise ValueError(
+            f"Each place of the cloud is there {times} times or more among its {len(points)} "
+            "points, so that they are no distance apart. Write each point once."
+        )
+
+
+def _count_of(place: Array, points: Array) -> int:
+    same = points[points[:, 0] == place[0]]
+    return int(np.count_nonzero((same == place).all(axis=1)))
 
 
 def _is_constant(points: ArrayLike) -> TypeGuard[Array]:

@@ -7,6 +7,7 @@ the lines in blocks; only a block it refuses is looked at line by line.
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from itertools import islice
 from typing import TextIO
@@ -130,7 +131,10 @@ def _require_numbers(line: str, row: Row, name: str, number: int) -> None:
         try:
             float(fields[column])
         except ValueError:
+            comma = re.fullmatch(r"[-+]?\d+,\d+", fields[column]) is not None
+            way = "Write it with a decimal point, as the lines before" if comma else "Correct it"
+            what = " (a decimal comma)" if comma else ""
             raise ValueError(
-                f"Line {number} of {name} holds '{fields[column][:30]}' where a number should be: "
-                f"'{shown}'. Correct the line or delete it."
+                f"Line {number} of {name} holds '{fields[column][:30]}'{what} where a number "
+                f"should be: '{shown}'. {way}, or delete the line."
             ) from None

@@ -19,6 +19,7 @@ from .cloud_cache import cloud_checksum, probe_radius_of
 from .computed_cloud import WRITTEN_POINTS, ComputedCloudProxy, write_points
 from .computed_object import Task, result
 from .declared_properties import Declared
+from .file_coordinates import refuse_file_coordinates
 from .given_numbers import positive_length
 from .linked_geometry import linked_surface, require_cloud, require_shape
 from .native_curve import vector
@@ -73,6 +74,7 @@ def make_cloud_segment(
     require_shape("base surface", [base])
     distance = positive_length("distance", distance)
     place = None if inside is None else checked_point("place inside", inside)
+    refuse_file_coordinates(cloud, place)
     if (place is not None) is not _is_network(base):
         raise ValueError(
             "A place inside goes with a network of edges, and a network with a place inside: give "

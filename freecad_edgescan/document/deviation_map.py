@@ -100,10 +100,13 @@ def make_deviation_map(
 
     Raises
     ------
-    ValueError: no cloud, a surface without a shape, or a negative reach or limit.
+    ValueError: no cloud, a surface without a shape or, once it is computed, without a face, or a
+        negative reach or limit.
     """
     require_cloud(cloud)
     require_shape("surface", [surface])
+    if not surface.Shape.isNull():  # else it may get faces when it is computed
+        linked_faces(surface, "surface")
     reach, limit = length_or_zero("reach", reach), length_or_zero("limit", limit)
     obj = doc.addObject("Points::FeaturePython", name)
     DeviationMapProxy(obj)

@@ -11,18 +11,18 @@ from typing import Any
 
 import numpy as np
 
+from ..scanning.edge_point_table import COLUMNS, row_of
 from .bridge import origin_of
+from .linked_geometry import is_cloud
 
 __all__ = ["export_csv"]
 
-_HEADER = (
-    *("edge", "x_mm", "y_mm", "z_mm", "sigma_mm", "angle_deg"),
-    *("fillet_radius_mm", "fillet_sigma_mm", "supported"),
-)
-
 
 def export_csv(objects: Sequence[Any], path: str | PathLike[str]) -> None:
-    """Write one row for each edge point: position, sigma, and what else is known.
+    """Write one row for each edge point: position, sigma, tangent, angle and rounding.
+
+    The columns are those of `edgescan find --csv`; "edge" names the object, and of several edges
+    in it the number.
 
     Parameters
     ----------
@@ -36,6 +36,11 @@ def export_csv(objects: Sequence[Any], path: str | PathLike[str]) -> None:
     objects = list(objects) if isinstance(objects, Sequence) else [objects]
     rows = [row for obj in objects for row in _rows(obj)]
     target = Path(path)
+    if not rows and any(is_cloud(obj) for obj in objects):
+        raise ValueError(
+            "A table holds edge points, and a cloud has none; write its points with "
+            "es.write_cloud(es.PointCloud(document.points_of(cloud)), 'cloud.ply')."
+        )
     if not rows:
         raise ValueError(
             f"There are no edge points among {len(objects)} objects to write into {target.name}; "
@@ -44,7 +49,7 @@ def export_csv(objects: Sequence[Any], path: str | PathLike[str]) -> None:
     try:
         with target.open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
-            writer.writerow(_HEADER)
+            writer.writerow(["edge", *COLUMNS])
             writer.writerows(rows)
     except OSError as error:
         raise ValueError(
@@ -58,11 +63,13 @@ def _rows(obj: Any) -> list[list[str]]:
     sigma = np.array(obj.Sigma, dtype=float)
     points = np.array([tuple(obj.Placement.multVec(point)) for point in obj.Points], dtype=float)
     points = points.reshape(-1, 3) + origin_of(obj)
+    angles = "PointAngles" if hasattr(obj, "PointAngles") else "Angles"  # of each edge elsewhere
     columns = np.column_stack(
         [
             points,
             sigma,
-            np.degrees(_values(obj, "Angles", len(sigma))),
+            _tangents(obj, len(sigma)),
+            np.degrees(_values(obj, angles, len(sigma))),
             _values(obj, "FilletRadii", len(sigma)),
             _values(obj, "FilletSigmas", len(sigma)),
         ]
@@ -71,9 +78,15 @@ def _rows(obj: Any) -> list[list[str]]:
     names = [f"{obj.Label} {number}" for number in numbers] if numbers else [obj.Label] * len(sigma)
     supported = list(getattr(obj, "Supported", [])) or [True] * len(sigma)
     return [
-        [name, *(f"{value:.6f}" for value in row), str(int(held))]
+        [name, *row_of(row, held)]
         for name, row, held in zip(names, columns.tolist(), supported, strict=True)
     ]
+
+
+def _tangents(obj: Any, count: int) -> np.ndarray:
+    """Unit tangents (count, 3), turned as the object is; nan where it has none."""
+    turned = [tuple(obj.Placement.Rotation.multVec(own)) for own in getattr(obj, "Tangents", [])]
+    return np.array(turned, dtype=float) if len(turned) == count else np.full((count, 3), np.nan)
 
 
 def _values(obj: Any, name: str, count: int) -> np.ndarray:

@@ -19,8 +19,9 @@ from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .computed_shape import write_shape
-from .declared_properties import Declared, Role
+from .declared_properties import Declared
 from .edge_network_shape import network_shape
+from .edge_points import EDGE_POINTS, write_edge_points
 from .given_numbers import least_angle, length_or_zero, whole_number
 from .linked_geometry import require_cloud
 from .native_curve import vector
@@ -32,10 +33,6 @@ __all__ = [
     "choice_of",
     "make_edge_network",
 ]
-
-
-def _list(kind: str, name: str, tooltip: str) -> Declared:
-    return Declared(kind, name, "Edge points", tooltip, Role.HIDDEN_RESULT)
 
 
 _PROPERTIES = (
@@ -60,9 +57,7 @@ _PROPERTIES = (
     result("StringList", "Ends", "Of each edge: the corners it ends in, or why it ends"),
     MESSAGE,
     ORIGIN,
-    _list("VectorList", "Points", "Edge points of all edges, document coordinates"),
-    _list("FloatList", "Sigma", "Standard deviation of the edge points, mm"),
-    _list("IntegerList", "EdgeNumbers", "Which edge each of them belongs to, from 1"),
+    *EDGE_POINTS,
 )
 
 
@@ -197,11 +192,7 @@ class EdgeNetworkProxy(ComputedProxy):
         obj.Sigmas = [float(np.median(edge.sigma)) for edge in result.edges]
         obj.Angles = [float(np.degrees(np.median(edge.angle))) for edge in result.edges]
         obj.Ends = [f"{_named(start)} to {_named(end)}" for start, end in result.ends]
-        obj.Points = [vector(point) for edge in result.edges for point in edge.points]
-        obj.Sigma = [float(value) for edge in result.edges for value in edge.sigma]
-        obj.EdgeNumbers = [
-            number for number, edge in enumerate(result.edges, start=1) for _ in range(len(edge))
-        ]
+        write_edge_points(obj, result.edges)
 
 
 def _named(end: int | Stop) -> str:

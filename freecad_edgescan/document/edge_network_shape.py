@@ -27,7 +27,17 @@ def network_edges(network: EdgeNetwork) -> list[Any]:
     """The native edge of each edge of a network: lines, arcs, circles and B-splines.
 
     Where an edge ends in a corner it ends there exactly.
+
+    Raises
+    ------
+    ValueError: something else than an EdgeNetwork.
     """
+    if not isinstance(network, EdgeNetwork):
+        raise ValueError(
+            f"{getattr(network, 'Label', network)!r} is no EdgeNetwork, as find_edges(cloud) "
+            "answers; of a network in a document take its Shape, and make_edge_wire(doc, network) "
+            "for wires."
+        )
     edges = []
     for edge, ends in zip(network.edges, network.ends, strict=True):
         corners = [None if isinstance(end, Stop) else network.corners[end] for end in ends]
@@ -36,7 +46,12 @@ def network_edges(network: EdgeNetwork) -> list[Any]:
 
 
 def network_shape(network: EdgeNetwork) -> Any:
-    """A compound of the native edges; where edges meet they share one vertex."""
+    """A compound of the native edges; where edges meet they share one vertex.
+
+    Raises
+    ------
+    ValueError: something else than an EdgeNetwork.
+    """
     compound = Part.Compound(network_edges(network))
     vertices = compound.Vertexes
     for vertex in vertices:
@@ -55,7 +70,12 @@ def network_shape(network: EdgeNetwork) -> Any:
 
 
 def network_wires(network: EdgeNetwork) -> list[Any]:
-    """Wires of edges that follow each other through corners where just two of them meet."""
+    """Wires of edges that follow each other through corners where just two of them meet.
+
+    Raises
+    ------
+    ValueError: something else than an EdgeNetwork, such as its object in a document.
+    """
     edges = network_edges(network)
     return [Part.Wire([edges[number] for number in chain]) for chain in network.chains()]
 

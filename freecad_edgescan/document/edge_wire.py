@@ -93,7 +93,8 @@ class EdgeWireProxy(ComputedProxy):
         result.Placement = obj.Placement.multiply(result.Placement)
         obj.Shape = result
         obj.EdgeCount, obj.Length, obj.Closed = len(result.Edges), result.Length, result.isClosed()
-        obj.Message = f"{len(result.Edges)} edges of {result.Length:.4g} mm in all."
+        count = len(result.Edges)
+        obj.Message = f"{count} edge{'s' * (count != 1)} of {result.Length:.4g} mm in all."
 
 
 def _edges(obj: Any) -> list[Any]:

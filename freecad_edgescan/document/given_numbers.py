@@ -10,6 +10,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from ..scanning.least_angle import check_least_angle
+
 __all__ = [
     "finite_number",
     "least_angle",
@@ -94,12 +96,7 @@ def least_angle(value: Any) -> float:
     ValueError: it is not above 0 and below pi.
     """
     angle = _finite(value)
-    if not 0.0 < angle < math.pi:
-        degrees = f" rad ({math.degrees(angle):g}°)" if math.isfinite(angle) else ""
-        raise ValueError(
-            f"The least angle is {_shown(value)}{degrees}; give one between 0 and pi in rad, "
-            "which is 0° to 180°."
-        )
+    check_least_angle(value if math.isnan(angle) else angle)
     return angle
 
 

@@ -12,6 +12,7 @@ from .native_surface import surface_of
 
 __all__ = [
     "face_inputs",
+    "is_cloud",
     "linked_curve",
     "linked_faces",
     "linked_surface",
@@ -83,6 +84,11 @@ def require_shape(what: str, items: Sequence[Any]) -> None:
             )
 
 
+def is_cloud(item: Any) -> bool:
+    """Whether this is a cloud of a document."""
+    return bool(getattr(item, "isDerivedFrom", lambda _: False)("Points::Feature"))
+
+
 def require_cloud(item: Any) -> None:
     """Refuse what is no cloud of a document.
 
@@ -90,7 +96,7 @@ def require_cloud(item: Any) -> None:
     ------
     ValueError
     """
-    if not getattr(item, "isDerivedFrom", lambda _: False)("Points::Feature"):
+    if not is_cloud(item):
         raise ValueError(
             f"{getattr(item, 'Label', item)!r} is not a point cloud of the document; "
             "make one with make_cloud(doc, source)."

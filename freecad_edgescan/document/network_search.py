@@ -91,7 +91,8 @@ def keep_network(search: NetworkSearch, network: EdgeNetwork) -> None:
 
 def _first(network: EdgeNetwork, most: int) -> EdgeNetwork:
     part = part_of_network(network, np.arange(len(network)) < most)
-    message = f"The search ended after {most} edges, as it was told; there may be more."
+    count = f"{most} edge{'s' * (most != 1)}"
+    message = f"The search ended after {count}, as it was told; there may be more."
     return replace(part, cancelled=False, message=message)
 
 

@@ -19,7 +19,9 @@ from .bridge import origin_of
 from .cloud_cache import cloud_checksum, point_cloud
 from .computed_object import MESSAGE, ORIGIN, ComputedProxy, Task, result
 from .computed_shape import write_shape
-from .declared_properties import Declared, Role
+from .declared_properties import Declared
+from .edge_points import EDGE_POINTS, write_edge_points
+from .file_coordinates import refuse_file_coordinates
 from .given_numbers import least_angle
 from .linked_geometry import require_cloud
 from .native_curve import vector
@@ -31,10 +33,6 @@ __all__ = [
     "is_closed",
     "make_scanned_boundary",
 ]
-
-
-def _list(kind: str, name: str, tooltip: str) -> Declared:
-    return Declared(kind, name, "Edge points", tooltip, Role.HIDDEN_RESULT)
 
 
 _PROPERTIES = (
@@ -49,9 +47,7 @@ _PROPERTIES = (
     result("StringList", "Stops", "Why the first edge begins and the last one ends"),
     MESSAGE,
     ORIGIN,
-    _list("VectorList", "Points", "Edge points of all edges, document coordinates"),
-    _list("FloatList", "Sigma", "Standard deviation of the edge points, mm"),
-    _list("IntegerList", "EdgeNumbers", "Which edge each of them belongs to, from 1"),
+    *EDGE_POINTS,
 )
 
 
@@ -78,6 +74,7 @@ def make_scanned_boundary(
     """
     require_cloud(cloud)
     places = _places(at, inside)
+    refuse_file_coordinates(cloud, *places)
     obj = doc.addObject("Part::FeaturePython", name)
     ScannedBoundaryProxy(obj)
     obj.Cloud = cloud
@@ -107,16 +104,15 @@ class ScannedBoundaryProxy(ComputedProxy):
         shapes = [edge_shape(edge) for edge in result if len(edge.points) >= 2]
         shape = Part.Compound(shapes)
         sigma = np.concatenate([edge.sigma for edge in result])
-        obj.Points = [vector(point) for edge in result for point in edge.points]
-        obj.Sigma = sigma.tolist()
-        obj.EdgeNumbers = [
-            number for number, edge in enumerate(result, start=1) for _ in range(len(edge.points))
-        ]
+        write_edge_points(obj, result)
         obj.EdgeCount, obj.Length = len(shapes), float(sum(own.Length for own in shapes))
         obj.MeanSigma, obj.LargestSigma = float(sigma.mean()), float(sigma.max())
         obj.Stops = [result[0].stops[0].name, result[-1].stops[1].name]
         if is_closed(result):
-            message = f"{len(result)} edges, which close round the face."
+            one = len(result) == 1
+            message = (
+                f"{len(result)} edge{'' if one else 's'}, which close{'s' * one} round the face."
+            )
         else:
             message = " ".join(dict.fromkeys(edge.message for edge in (result[0], result[-1])))
         write_shape(obj, shape, message, origin_of(obj.Cloud))

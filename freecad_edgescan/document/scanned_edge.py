@@ -17,6 +17,7 @@ from ..scanning import Gate, Progress, ScanError, ScannedEdge, ScanParameters, S
 from .bridge import origin_of
 from .cloud_cache import point_cloud, probe_radius_of
 from .declared_properties import declare
+from .file_coordinates import refuse_file_coordinates
 from .linked_geometry import require_cloud
 from .native_edge import edge_shape
 from .refusal import RefusalError
@@ -64,6 +65,7 @@ def make_scanned_edge(
     """
     require_cloud(cloud)
     inputs = checked_inputs(at, gate, parameters, method)
+    refuse_file_coordinates(cloud, inputs.at, inputs.gate)
     obj = doc.addObject("Part::FeaturePython", name)
     ScannedEdgeProxy(obj)
     obj.Cloud = cloud
@@ -99,6 +101,7 @@ def change_scanned_edge(
             "make_scanned_edge(doc, cloud, at=(x, y, z))."
         )
     inputs = checked_inputs(at, gate, parameters, method)
+    refuse_file_coordinates(obj.Cloud if cloud is None else cloud, inputs.at, inputs.gate)
     if cloud is not None and obj.Cloud is not cloud:
         obj.Cloud = cloud
     write_inputs(obj, inputs)

@@ -26,6 +26,7 @@ COLOURS = (
     *("lime", "magenta", "navy", "gold"),
 )
 _HEIGHT = 7.0  # inches, of both drawings
+_MOST_ROWS = 28  # of a column of the legend
 _WIDEST = 15.0  # inches, of both together
 
 
@@ -35,6 +36,7 @@ def draw_edges(
     path: str | Path,
     view: ArrayLike | None = None,
     names: Sequence[str] | None = None,
+    numbered: bool = False,
 ) -> None:
     """Draw the cloud as a shaded relief and each edge in its colour, fainter where hidden.
 
@@ -49,6 +51,7 @@ def draw_edges(
     view : (3,) or None
         Direction from the part towards the viewer; None: from the air side of the edges.
     names : of the edges; None: "edge 1", "edge 2" and so on
+    numbered : write each edge's number, from 1, beside it: for more edges than there are colours
 
     Raises
     ------
@@ -68,8 +71,13 @@ def draw_edges(
     figure = new_figure(path, height * sum(widths) + 1.4 * len(widths), height + 0.6)
     for axes, drawing in zip(_columns(figure, widths), drawings, strict=True):
         draw_on(axes, drawing, edges, names)
+        if numbered:
+            _write_numbers(axes, drawing, edges)
     if edges:
-        figure.axes[-1].legend(loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False)
+        figure.axes[-1].legend(
+            loc="center left", bbox_to_anchor=(1.01, 0.5), frameon=False,
+            ncols=-(-len(edges) // _MOST_ROWS),
+        )  # fmt: skip
     save_figure(figure, path)
 
 
@@ -87,6 +95,19 @@ def draw_on(
         name = f"edge {number + 1}" if names is None else names[number]
         axes.plot(np.where(shown, right, np.nan), up, color=colour, lw=2.2, label=name)
     axes.set(xlabel="to the right in this view, mm", ylabel="upwards in this view, mm")
+
+
+def _write_numbers(axes: Any, seen: Relief, edges: Sequence[ScannedEdge]) -> None:
+    """Each edge's number half-way along what is seen of it, or along all of it."""
+    for number, edge in enumerate(edges):
+        shown = np.flatnonzero(seen.visible(edge.points))
+        middle = shown[len(shown) // 2] if len(shown) else len(edge) // 2
+        right, up, _ = seen.project(edge.points[middle][None])[0]
+        axes.text(
+            right, up, str(number + 1), ha="center", va="center", fontsize=8, clip_on=True,
+            color=COLOURS[number % len(COLOURS)], alpha=1.0 if len(shown) else 0.5,
+            bbox={"boxstyle": "round,pad=0.15", "fc": "white", "ec": "none", "alpha": 0.7},
+        )  # fmt: skip
 
 
 def _columns(figure: Any, widths: Sequence[float]) -> list[Any]:

@@ -12,12 +12,12 @@ from .parameters import Compensation, ScanParameters, Steering, Tangent
 __all__ = ["GIVEN", "SEARCH_DISTANCE", "WAYS", "filled_in", "with_distances", "with_probe_of"]
 
 GIVEN = "given"
-SEARCH_DISTANCE = (30.0, "as in the published case study (appendix F)")
+SEARCH_DISTANCE = (30.0, "as in the published case study (Schreve appendix F)")
 # The ways of a probed scan that nobody has to choose.
 WAYS = {
-    "tangent": (Tangent.POLYNOMIALS, "follows sides that bend (4.4.1.3)"),
+    "tangent": (Tangent.POLYNOMIALS, "follows sides that bend (Schreve 4.4.1.3)"),
     "steering": (Steering.TANGENT, "the edge's direction is smoothed anyway"),
-    "compensation": (Compensation.INTERSECTION, "each line with its neighbours (4.5.4)"),
+    "compensation": (Compensation.INTERSECTION, "each line with its neighbours (Schreve 4.5.4)"),
 }
 _PREHIT = 4.0  # cloud pitches (Schreve appendix F)
 
@@ -42,7 +42,10 @@ def with_distances(given: ScanParameters, pitch: float, reasons: dict[str, str])
     return filled_in(
         given,
         reasons,
-        prehit_distance=(_PREHIT * pitch, f"{_PREHIT:g} times the cloud pitch (appendix F)"),
+        prehit_distance=(
+            _PREHIT * pitch,
+            f"{_PREHIT:g} times the cloud pitch (Schreve appendix F)",
+        ),
         search_distance=SEARCH_DISTANCE,
     )
 

@@ -68,7 +68,9 @@ class Bound:
     def text(self) -> str:
         """The bound as one line."""
         words = self.parameter.replace("_", " ")
-        return f"{words}: {self.limit} {self.value:.4g} mm ({self.equation}): {self.sentence}"
+        return (
+            f"{words}: {self.limit} {self.value:.4g} mm (Schreve {self.equation}): {self.sentence}"
+        )
 
 
 @dataclass(frozen=True)
@@ -191,7 +193,8 @@ class Guidelines:
                 words = bound.parameter.replace("_", " ")
                 yield (
                     f"The {words} of {value:.4g} mm is {'below' if below else 'above'} the "
-                    f"guideline of {bound.value:.4g} mm ({bound.equation}): {bound.sentence}"
+                    f"guideline of {bound.value:.4g} mm (Schreve {bound.equation}): "
+                    f"{bound.sentence}"
                 )
 
     def _of(self, parameter: str, limit: Limit) -> list[Bound]:
@@ -233,7 +236,7 @@ def check_possible(parameters: ScanParameters) -> None:
         raise ScanError(
             f"An amplitude of {p.amplitude:g} mm at a line pitch of {p.line_pitch:g} mm makes "
             f"{points:.3g} points on each side of the edge; degree {p.degree} needs more than "
-            f"{needed} (inequality 4.7.1.1). Give an amplitude above "
+            f"{needed} (Schreve 4.7.1.1). Give an amplitude above "
             f"{2.0 * needed * p.line_pitch:.3g} mm, a line pitch below "
             f"{0.5 * p.amplitude / needed:.3g} mm, or a lower degree."
         )
@@ -260,6 +263,7 @@ def _contradictions(bounds: tuple[Bound, ...]) -> Iterable[str]:
         if least.value > most.value:
             yield (
                 f"The {parameter.replace('_', ' ')} should be at least {least.value:.4g} mm "
-                f"({least.equation}) and at most {most.value:.4g} mm ({most.equation}), which "
+                f"(Schreve {least.equation}) and at most {most.value:.4g} mm (Schreve "
+                f"{most.equation}), which "
                 "cannot both be; the edge may be scanned, but inaccurately."
             )

@@ -14,6 +14,7 @@ from .edge_site import EdgeSite, measure_site
 from .errors import ScanError
 from .first_section import first_section, place_to_look
 from .guidelines import Bound
+from .least_angle import check_least_angle
 from .parameters import ScanParameters
 from .recommended import measure_and_choose
 from .start import Start
@@ -108,6 +109,8 @@ class Recommendation:
             f"Error to expect: {self.expected_error:.2g} mm (form of the surfaces "
             f"{self.model_bias:.2g}, noise {self.noise_error:.2g} mm)"
         )
+        if self.method == "probe":
+            lines.append("Schreve: sections of the dissertation that docs/probe.md goes by.")
         return "\n".join(lines)
 
     def _surfaces(self) -> str:
@@ -146,8 +149,7 @@ def recommend_parameters(
     given = parameters or ScanParameters()
     if method not in ("probe", "patch"):
         raise ScanError(f"The method is {method!r}; choose 'patch' or 'probe'.")
-    if not 0.0 < min_angle < np.pi:
-        raise ScanError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
+    check_least_angle(min_angle)
     if not isinstance(cloud, PointCloud):
         raise ScanError(
             f"recommend_parameters measures in a PointCloud and was given {type(cloud).__name__}; "

@@ -145,7 +145,7 @@ def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoi
     filled = filled_in(
         given,
         reasons,
-        search_distance=(search, "half a side, at most the 30 mm of appendix F"),
+        search_distance=(search, "half a side, at most the 30 mm of Schreve appendix F"),
     )
     filled = filled_in(
         with_distances(filled, pitch, reasons),
@@ -157,7 +157,10 @@ def _for_degree(site: EdgeSite, given: ScanParameters, degree: int) -> ProbeChoi
         tolerance=_tolerance(around, amplitude, degree, slid),
         degree=(degree, ""),
         pattern=(Pattern.SQUARE, "lines straight across the edge"),
-        cloud_pitch=(pitch, "the largest distance between points near the start (4.7.1, 7.2)"),
+        cloud_pitch=(
+            pitch,
+            "the largest distance between points near the start (Schreve 4.7.1, 7.2)",
+        ),
         approach=(tuple(-site.air), "from outside the smaller wedge of the two surfaces"),
     )
     guidelines = Guidelines.of(around, degree, line_pitch, projected=not slid)
@@ -199,13 +202,16 @@ def _line_pitch(around: Surroundings, amplitude: float, degree: int) -> tuple[fl
     many = length / _MOST_POINTS
     if many > least:
         return many, f"{_MOST_POINTS} points on each side"
-    return least, f"{LEAST_PITCHES:g} times the cloud pitch of {around.cloud_pitch:.3g} mm (4.4.4)"
+    return (
+        least,
+        f"{LEAST_PITCHES:g} times the cloud pitch of {around.cloud_pitch:.3g} mm (Schreve 4.4.4)",
+    )
 
 
 def _edge_pitch(line_pitch: float, least: float) -> tuple[float, str]:
     if line_pitch >= least:
-        return line_pitch, "the line pitch (table 1)"
-    return least, f"{LEAST_PITCHES:g} times the cloud pitch (4.4.4)"
+        return line_pitch, "the line pitch (Schreve table 1)"
+    return least, f"{LEAST_PITCHES:g} times the cloud pitch (Schreve 4.4.4)"
 
 
 def _tolerance(
@@ -224,5 +230,5 @@ def _tolerance(
     tolerance = _TOLERANCE * least + _UNEVEN * around.cloud_pitch + bend
     return tolerance, (
         f"the noise level of {around.noise_level:.3g} mm with a little room, so that points on a "
-        "rounding are told from the surface (after 5.3.3.5.1.1)"
+        "rounding are told from the surface (after Schreve 5.3.3.5.1.1)"
     )

@@ -48,8 +48,13 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
         sentences.append("The gate was not passed.")
     probe = edge.parameters.probe_radius
     if probe and edge.parameters.approach is None:
-        kind = "an outer edge, rounded by the probe" if edge.convex else "an inner edge, sharp"
-        sentences.append(f"The rim tells that this is {kind}: taken off {probe:g} mm accordingly.")
+        kind = "an outer edge, rounded by the probe" if edge.convex else "a sharp inner edge"
+        moved = probe / np.sin(0.5 * float(np.median(edge.angle)))
+        sentences.append(
+            f"The points count as centres of a ball of {probe:g} mm radius, and the rim as {kind}: "
+            f"the edge lies {moved:.3g} mm off where the sides through the points meet. If the "
+            "points lie on the part itself, give no probe radius."
+        )
     outside = float(np.median(edge.overhang)) if len(edge.overhang) else 0.0
     if outside > _FAR_OUTSIDE * (edge.parameters.cloud_pitch or np.inf):
         sentences.append(

@@ -11,6 +11,7 @@ from ..cloud.point_cloud import PointCloud, require_surface
 from .automatic import MIN_ANGLE
 from .cmm import Cmm
 from .errors import ScanError
+from .least_angle import check_least_angle
 from .parameters import ScanParameters
 from .patch_scan import scan_with_patches
 from .probe_scan import scan_with_cmm, scan_with_probe
@@ -61,8 +62,7 @@ def scan_edge(
     wanted = parameters or ScanParameters()
     if method is not None and method not in METHODS:
         raise ScanError(f"The method is {method!r}; choose 'patch' or 'probe'.")
-    if not 0.0 < min_angle < np.pi:
-        raise ScanError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
+    check_least_angle(min_angle)
     if isinstance(cloud, PointCloud):
         require_surface(cloud)
         if method == "probe":

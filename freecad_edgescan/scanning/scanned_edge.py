@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .corner import across_axes, largest_sigma
+from .edge_point_table import COLUMNS, edge_point_rows
 from .parameters import ScanParameters
 from .stop import Stop
 
@@ -207,12 +208,7 @@ class ScannedEdge:
 
     def to_csv(self, path: str | Path) -> None:
         """Write one row for each edge point: position, sigma, tangent, angle, fillet radius."""
-        header = ["x_mm", "y_mm", "z_mm", "sigma_mm", "tangent_x", "tangent_y", "tangent_z"]
-        header += ["angle_deg", "fillet_radius_mm", "fillet_sigma_mm", "supported"]
         with Path(path).open("w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
-            writer.writerow(header)
-            for j in range(len(self)):
-                row = [*self.points[j], self.sigma[j], *self.tangents[j]]
-                row += [np.degrees(self.angle[j]), self.fillet_radius[j], self.fillet_sigma[j]]
-                writer.writerow([f"{value:.6f}" for value in row] + [int(self.supported[j])])
+            writer.writerow(COLUMNS)
+            writer.writerows(edge_point_rows(self))

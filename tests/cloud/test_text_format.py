@@ -78,6 +78,10 @@ def test_missing_measurements_are_left_out_and_counted(tmp_path):
     ("text", "said"),
     [
         (ROWS + "1 2 three\n", r"Line 4 .*'three'.*'1 2 three'"),
+        (
+            "1.5 2.5 3.5\n" * 99 + "1,5 2,5 3,5\n",
+            r"Line 100 .*'1,5' \(a decimal comma\).*Write it with a decimal point",
+        ),
         (COMMAS + "1,,3\n", r"Line 4 .*'' where a number should be.*'1,,3'"),
         (ROWS + "1 2\n", r"Line 4 .* 2 columns.*'1 2'"),
         ("x y z\n\n" + ROWS + "\n# end\noops\n", r"Line 8 .* 1 column,.*'oops'"),

@@ -79,7 +79,7 @@ def test_a_table_holds_the_points_of_edges_and_boundaries_with_their_sigma(
     for row, point, sigma in zip(upright, block.Upright.Points, block.Upright.Sigma, strict=True):
         assert float(row["z_mm"]) == pytest.approx(point.z, abs=1e-6)
         assert float(row["sigma_mm"]) == pytest.approx(sigma, abs=1e-6)
-        assert 80 < float(row["angle_deg"]) < 100
+    assert all(80 < float(row["angle_deg"]) < 100 for row in rows)
 
 
 def test_a_table_of_nothing_is_refused(doc: Any, tmp_path: Path) -> None:
@@ -87,6 +87,9 @@ def test_a_table_of_nothing_is_refused(doc: Any, tmp_path: Path) -> None:
     doc.recompute()
     with pytest.raises(ValueError, match="no edge points"):
         document.export_csv([box], tmp_path / "edges.csv")
+    cloud = document.make_cloud(doc, np.random.default_rng(0).random((40, 3)))
+    with pytest.raises(ValueError, match=r"es\.write_cloud"):
+        document.export_csv([cloud], tmp_path / "edges.csv")
     assert not (tmp_path / "edges.csv").exists()
 
 

@@ -105,3 +105,14 @@ def test_what_cannot_be_measured_is_refused(doc: Any) -> None:
     plane = doc.addObject("Part::Feature", "Plane")
     with pytest.raises(ValueError, match="reach is -1"):
         document.make_deviation_map(doc, cloud, plane, reach=-1.0)
+
+
+def test_what_has_no_face_is_refused_before_anything_is_made(doc: Any) -> None:
+    cloud = document.make_cloud(doc, rng.random((40, 3)))
+    line, box = doc.addObject("Part::Line", "Line"), doc.addObject("Part::Box", "Box")
+    document.make_deviation_map(doc, cloud, box)  # has no shape yet, and gets one
+    doc.recompute()
+    count = len(doc.Objects)
+    with pytest.raises(ValueError, match=r"'Line' has no face; .* choose another"):
+        document.make_deviation_map(doc, cloud, line)
+    assert len(doc.Objects) == count

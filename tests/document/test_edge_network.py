@@ -52,6 +52,15 @@ def test_the_wires_of_a_box_are_its_edges_for_three_of_them_meet_in_each_corner(
     assert len(wires) == 12 and all(len(wire.Edges) == 1 for wire in wires)
 
 
+def test_what_is_no_network_of_numbers_is_told_what_to_take(
+    doc: Any, box_cloud: es.PointCloud
+) -> None:
+    made = document.make_edge_network(doc, document.make_cloud(doc, box_cloud))
+    for function in (document.network_wires, document.network_shape):
+        with pytest.raises(ValueError, match=r"'EdgeNetwork' is no EdgeNetwork.*make_edge_wire"):
+            function(made)
+
+
 def test_the_object_finds_the_edges_and_computes_nothing_twice(
     doc: Any, box_cloud: es.PointCloud
 ) -> None:
@@ -293,7 +302,11 @@ def test_a_network_is_exported_and_reported(searched_cloud: Any, tmp_path: Path)
     made = document.make_edge_network(doc, searched_cloud, min_length=20.0, name="LongEdges")
     doc.recompute()
     document.export_csv([made], tmp_path / "edges.csv")
-    rows = (tmp_path / "edges.csv").read_text().splitlines()[1:]
+    header, *rows = (tmp_path / "edges.csv").read_text().splitlines()
+    angles = [float(row.split(",")[header.split(",").index("angle_deg")]) for row in rows]
+    assert np.allclose(angles, 90.0, atol=6.0)  # noise of a tenth of the pitch
+    along = np.abs([[float(value) for value in row.split(",")[5:8]] for row in rows])
+    assert np.allclose(along, (1.0, 0.0, 0.0), atol=0.1)
     points = np.array([[float(value) for value in row.split(",")[1:4]] for row in rows])
     away = np.sort(np.minimum(np.abs(points), np.abs(points - SIZE)), axis=1)
     assert np.hypot(away[:, 0], away[:, 1]).max() < PITCH

@@ -395,6 +395,27 @@ def test_a_far_cloud_is_scanned_as_well_as_a_near_one(doc: Any) -> None:
     np.testing.assert_array_equal(made.Origin, origin)
 
 
+def test_a_place_in_the_coordinates_of_the_file_is_told_to_subtract_the_origin(doc: Any) -> None:
+    far = np.array([350000.0, 5600000.0, 150.0])
+    cloud = document.make_cloud(doc, box_cloud().points + far)
+    in_file = far + np.array([10, 0, 10])
+    place = in_file - np.array(cloud.Origin)
+    said = f"subtract the cloud's Origin.*which gives \\({', '.join(f'{x:g}' for x in place)}\\)"
+    inside = far + np.array([10, 5, 10])
+    for make in (
+        lambda: document.make_scanned_edge(doc, cloud, at=in_file),
+        lambda: document.make_scanned_edge(doc, cloud, at=place, gate=in_file),
+        lambda: document.make_scanned_edges(doc, cloud, [place, in_file]),
+        lambda: document.make_scanned_boundary(doc, cloud, at=in_file, inside=inside),
+    ):
+        with pytest.raises(ValueError, match=said):
+            make()
+    assert doc.Objects == [cloud]
+    edge = document.make_scanned_edge(doc, cloud, at=place)
+    with pytest.raises(ValueError, match=said):
+        document.change_scanned_edge(edge, at=in_file)
+
+
 @pytest.mark.parametrize(
     ("given", "said"),
     [

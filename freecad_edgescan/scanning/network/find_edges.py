@@ -19,6 +19,7 @@ from ...cloud.point_cloud import PointCloud, require_surface
 from ...cloud.region import cropped
 from ..automatic import MIN_ANGLE, Chosen, choose_parameters
 from ..errors import ScanError
+from ..least_angle import check_least_angle
 from ..parameters import ScanParameters
 from ..patch_section import PatchSettings
 from ..progress import Progress
@@ -71,6 +72,11 @@ def find_edges(
     ScanError: an angle, a length or a number of jobs that is none, or a region without points.
     ValueError: a cloud without a surface.
     """
+    if not isinstance(cloud, PointCloud):
+        raise ScanError(
+            f"find_edges needs a PointCloud and was given {type(cloud).__name__}; make one with "
+            "read_cloud(path) or PointCloud(points)."
+        )
     _check(min_angle, min_length, jobs)
     if region is not None:
         cloud = _cut_out(cloud, region)
@@ -81,20 +87,24 @@ def find_edges(
     if _scattered(cloud):
         return network_of(cloud, [], _no_surface(cloud))
     edges: list[ScannedEdge] = []
+    too_short: list[float] = []
     with CloudWorkers(cloud, jobs_for(cloud) if jobs is None else jobs) as workers:
         tracks = _tracks(workers, chosen, told)
         for share, found in Tracer(workers, tracks, chosen).edges():
             edges += [edge for edge in found if edge.length >= shortest]
+            too_short += [edge.length for edge in found if edge.length < shortest]
             if not told.update(_TRACKING + (1.0 - _TRACKING) * share, edges):
                 break
-    network = network_of(cloud, edges, _message(edges, shortest, told.cancelled), told.cancelled)
+    # Shorter ones than are found without a least length are no edges.
+    too_short = [length for length in too_short if length >= SHORTEST * cloud.pitch]
+    message = _message(edges, shortest, too_short, told.cancelled)
+    network = network_of(cloud, edges, message, told.cancelled)
     told.update(1.0, edges)
     return network
 
 
 def _check(min_angle: float, min_length: float | None, jobs: int | None) -> None:
-    if not 0.0 < min_angle < np.pi:
-        raise ScanError(f"The least angle is {min_angle!r}; give one between 0 and pi, in rad.")
+    check_least_angle(min_angle)
     if min_length is not None and not 0.0 <= min_length < np.inf:
         raise ScanError(f"The least length is {min_length!r}; give 0 or a positive length in mm.")
     if jobs is not None and not (isinstance(jobs, int) and jobs >= 1):
@@ -163,16 +173,33 @@ def _tracks(workers: CloudWorkers, chosen: Chosen, told: _Told) -> list[Track]:
     return confirmed(workers, tracks, settings)
 
 
-def _message(edges: list[ScannedEdge], shortest: float, cancelled: bool) -> str:
+def _message(
+    edges: list[ScannedEdge], shortest: float, too_short: list[float], cancelled: bool
+) -> str:
     if cancelled:
-        return f"The search was cancelled; the {len(edges)} edges found until then are kept."
+        return f"The search was cancelled; {_counted(edges)} found until then are kept."
+    if not edges and too_short:
+        return (
+            f"No edge is long enough: {_counted(too_short)} {_were(too_short)} found, the longest "
+            f"of {max(too_short):.4g} mm, and the least length is {round(shortest, 3):g} mm. Give "
+            "a smaller one."
+        )
     if not edges:
         return (
-            "No edge was found: the cloud is one smooth surface at the scale of its points, or its "
-            f"edges turn by less than the least angle or are shorter than {shortest:.3g} mm."
+            "No edge was found: the cloud is one smooth surface at the scale of its points, or "
+            "its edges turn by less than the least angle or are shorter than "
+            f"{round(shortest, 3):g} mm."
         )
     length = sum(edge.length for edge in edges)
-    return f"{len(edges)} edges of {length:.4g} mm in all were found."
+    return f"{_counted(edges)} of {length:.4g} mm in all {_were(edges)} found."
+
+
+def _counted(edges: list[ScannedEdge] | list[float]) -> str:
+    return f"{len(edges)} edge{'s' * (len(edges) != 1)}"
+
+
+def _were(edges: list[ScannedEdge] | list[float]) -> str:
+    return "was" if len(edges) == 1 else "were"
 
 
 class _Told:
