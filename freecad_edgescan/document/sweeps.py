@@ -25,7 +25,9 @@ def make_sweep(doc: Any, profile: Any, rail: Any, name: str = "Sweep") -> Any:
     Returns
     -------
     Part::FeaturePython with the properties of FreeCAD's Part::Sweep. Along a rail in a plane the
-    profile keeps its angle to that plane; along any other its frames turn as little as they can.
+    profile keeps its angle to that plane; along any other its frames turn as little as they can. In
+    corners of up to 120° the sweep is mitred. What cannot be swept marks the object as faulty, and
+    its *Message* says why.
 
     Raises
     ------
