@@ -14,7 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..automatic import Chosen
-from ..edge_ends import led_to_vertex
+from ..edge_ends import led_to_vertex, without_doubtful_end
 from ..gait import AdaptiveGait
 from ..patch_section import PatchSection
 from ..scanned_edge import ScannedEdge
@@ -187,6 +187,8 @@ class Tracer:
                 led = led_to_vertex(self.workers.cloud, stations, settings, beyond)
                 if led is not None:
                     return led, Stop.CORNER
+                # From a section that looks aside no walk finds on.
+                stations = without_doubtful_end(stations)
 
             places = np.array([station.frame.origin[0] for station in stations])
             own = places[_AT_HOME:-_AT_HOME]

@@ -17,9 +17,18 @@ from ..section import Frames, Station, frames_from_sides
 from .chains import Chain
 from .soundness import corners_within
 
-__all__ = ["Track", "join_tracks", "reversed_track", "split_at_corners", "track_of"]
+__all__ = [
+    "Track",
+    "join_tracks",
+    "reversed_track",
+    "split_at_corners",
+    "track_of",
+    "without_doubtful_ends",
+]
 
 _BESIDE = 2  # sections on each side that tell a tangent
+_DOUBTFUL = 2.5  # times the median sigma of a track
+_FEWEST = 4  # sections that are left of it
 
 
 @dataclass(frozen=True)
@@ -93,6 +102,20 @@ def split_at_corners(track: Track) -> list[Track]:
             parts.append(track_of(part, Chain(np.arange(len(rows)), ways, False)))
         begin = corner + 1
     return parts
+
+
+def without_doubtful_ends(track: Track) -> Track:
+    """The track without sections at its ends that are known much worse than the others.
+
+    Beside its edge such a section is followed by none, so that a track breaks off there; and it
+    turns the end away from where the edge goes on.
+    """
+    sigma = track.sections.sigma
+    sure = np.flatnonzero(sigma <= _DOUBTFUL * np.median(sigma))
+    rows = np.arange(sure[0], sure[-1] + 1)
+    if track.closed or len(rows) == len(track) or len(rows) < _FEWEST:
+        return track
+    return join_tracks([Track(track.sections[rows], False)])
 
 
 def reversed_track(track: Track) -> Track:
