@@ -20,6 +20,7 @@ from .soundness import corners_within
 __all__ = [
     "Track",
     "join_tracks",
+    "leading_on",
     "reversed_track",
     "split_at_corners",
     "track_of",
@@ -68,18 +69,8 @@ def track_of(sections: MeasuredSections, chain: Chain) -> Track:
     own = sections[chain.rows]
     frames = own.frames
     tangent = np.where(chain.forward[:, None], frames.tangent, -frames.tangent)
-    crossed = _crossed(frames.sides, tangent)
-    other = np.where(crossed[:, None], np.array([1, 0]), np.array([0, 1]))
-    rows = np.arange(len(own))[:, None]
-    turned = Frames(
-        frames.origin,
-        tangent,
-        frames.sides[rows, other],
-        frames.normals[rows, other],
-        frames.bend,
-        frames.curvature[rows, other],
-    )
-    return _steadied(replace(own, frames=turned, begins=own.begins[rows, other]), chain.closed)
+    own = replace(own, frames=replace(frames, tangent=tangent))
+    return _steadied(_with_other_sides(own, _crossed(frames.sides, tangent)), chain.closed)
 
 
 def split_at_corners(track: Track) -> list[Track]:
@@ -125,12 +116,40 @@ def reversed_track(track: Track) -> Track:
     return Track(replace(backward, frames=frames), track.closed)
 
 
+def leading_on(track: Track, frame: Frames) -> Track:
+    """The same track from its end that is nearer to a section, its sides in the order of that."""
+    origin = track.sections.frames.origin
+    first, last = np.linalg.norm(origin[[0, -1]] - frame.origin, axis=1)
+    if last < first:
+        track = reversed_track(track)
+    both = Frames.join([frame, track.sections.frames[:1]])
+    crossed = np.full(len(track), _crossed(both.sides, both.tangent)[1])
+    return Track(_with_other_sides(track.sections, crossed), track.closed)
+
+
 def join_tracks(parts: list[Track], closed: bool = False) -> Track:
     """Tracks behind each other, the sides of each as those of the one before."""
     sections = MeasuredSections.join([part.sections for part in parts])
     count = len(sections)
     chain = Chain(np.arange(count), np.ones(count, dtype=bool), closed)
     return track_of(sections, chain)
+
+
+def _with_other_sides(sections: MeasuredSections, crossed: np.ndarray) -> MeasuredSections:
+    """Sections (k), the two sides of some of them (k,) in the other order."""
+    frames, rows = sections.frames, np.arange(len(sections))[:, None]
+    order = np.where(crossed[:, None], np.array([1, 0]), np.array([0, 1]))
+    return replace(
+        sections,
+        frames=replace(
+            frames,
+            sides=frames.sides[rows, order],
+            normals=frames.normals[rows, order],
+            curvature=frames.curvature[rows, order],
+        ),
+        begins=sections.begins[rows, order],
+        ends=sections.ends[rows, order],
+    )
 
 
 def _crossed(sides: np.ndarray, tangent: np.ndarray) -> np.ndarray:
