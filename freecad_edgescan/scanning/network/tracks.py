@@ -29,6 +29,7 @@ __all__ = [
 
 _BESIDE = 2  # sections on each side that tell a tangent
 _DOUBTFUL = 2.5  # times the median sigma of a track
+_SUDDEN = 0.6  # rad, turn to its last section, besides twice the one before
 _FEWEST = 4  # sections that are left of it
 
 
@@ -96,17 +97,36 @@ def split_at_corners(track: Track) -> list[Track]:
 
 
 def without_doubtful_ends(track: Track) -> Track:
-    """The track without sections at its ends that are known much worse than the others.
+    """The track without sections at its ends that are known badly, or stand round a corner.
 
     Beside its edge such a section is followed by none, so that a track breaks off there; and it
     turns the end away from where the edge goes on.
     """
-    sigma = track.sections.sigma
-    sure = np.flatnonzero(sigma <= _DOUBTFUL * np.median(sigma))
-    rows = np.arange(sure[0], sure[-1] + 1)
-    if track.closed or len(rows) == len(track) or len(rows) < _FEWEST:
+    if track.closed:
         return track
-    return join_tracks([Track(track.sections[rows], False)])
+    sections = track.sections
+    badly = sections.sigma > _DOUBTFUL * np.median(sections.sigma)
+    begin, end = 0, len(track)
+    while end - begin > _FEWEST and (
+        badly[begin] or _stands_aside(sections.frames.origin[begin : begin + 4])
+    ):
+        begin += 1
+    while end - begin > _FEWEST and (
+        badly[end - 1] or _stands_aside(sections.frames.origin[end - 4 : end][::-1])
+    ):
+        end -= 1
+    if end - begin == len(track):
+        return track
+    return join_tracks([Track(sections[np.arange(begin, end)], False)])
+
+
+def _stands_aside(places: np.ndarray) -> bool:
+    """Whether the first of four places is led to by a turn that the others have no part in."""
+    steps = np.diff(places, axis=0)
+    steps = steps / np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-12)
+    cosine = np.einsum("ni,ni->n", steps[:-1], steps[1:])
+    first, next_one = np.arccos(np.clip(cosine, -1.0, 1.0))
+    return bool(first > _SUDDEN + 2.0 * next_one)
 
 
 def reversed_track(track: Track) -> Track:
