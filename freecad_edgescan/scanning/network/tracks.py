@@ -29,7 +29,9 @@ __all__ = [
 
 _BESIDE = 2  # sections on each side that tell a tangent
 _DOUBTFUL = 2.5  # times the median sigma of a track
-_SUDDEN = 0.6  # rad, turn to its last section, besides twice the one before
+_ASIDE = 0.4  # pitches of a last section beside where the others lead
+_LEADING = 5  # sections that lead straight on
+_MOST_DOUBTFUL = 2  # sections at an end
 _FEWEST = 4  # sections that are left of it
 
 
@@ -96,37 +98,46 @@ def split_at_corners(track: Track) -> list[Track]:
     return parts
 
 
-def without_doubtful_ends(track: Track) -> Track:
-    """The track without sections at its ends that are known badly, or stand round a corner.
+def without_doubtful_ends(track: Track, pitch: float) -> Track:
+    """The track without last sections that are known badly, or stand beside its course.
 
-    Beside its edge such a section is followed by none, so that a track breaks off there; and it
-    turns the end away from where the edge goes on.
+    Such a section is followed by none, so that a track breaks off there; and it turns the end
+    away from where the edge goes on.
+
+    Parameters
+    ----------
+    pitch : of the cloud, mm
     """
     if track.closed:
         return track
-    sections = track.sections
-    badly = sections.sigma > _DOUBTFUL * np.median(sections.sigma)
-    begin, end = 0, len(track)
-    while end - begin > _FEWEST and (
-        badly[begin] or _stands_aside(sections.frames.origin[begin : begin + 4])
-    ):
-        begin += 1
-    while end - begin > _FEWEST and (
-        badly[end - 1] or _stands_aside(sections.frames.origin[end - 4 : end][::-1])
-    ):
-        end -= 1
-    if end - begin == len(track):
-        return track
-    return join_tracks([Track(sections[np.arange(begin, end)], False)])
+    track = _without_doubtful_end(track, pitch)
+    return reversed_track(_without_doubtful_end(reversed_track(track), pitch))
 
 
-def _stands_aside(places: np.ndarray) -> bool:
-    """Whether the first of four places is led to by a turn that the others have no part in."""
-    steps = np.diff(places, axis=0)
-    steps = steps / np.maximum(np.linalg.norm(steps, axis=1, keepdims=True), 1e-12)
-    cosine = np.einsum("ni,ni->n", steps[:-1], steps[1:])
-    first, next_one = np.arccos(np.clip(cosine, -1.0, 1.0))
-    return bool(first > _SUDDEN + 2.0 * next_one)
+def _without_doubtful_end(track: Track, pitch: float) -> Track:
+    known = _DOUBTFUL * float(np.median(track.sections.sigma))
+    for _ in range(_MOST_DOUBTFUL):
+        if len(track) <= _FEWEST:
+            break
+        rest = join_tracks([Track(track.sections[np.arange(len(track) - 1)], False)])
+        aside = _aside(rest.sections.frames, track.sections.frames.origin[-1])
+        if track.sections.sigma[-1] <= known and aside <= _ASIDE * pitch:
+            break
+        track = rest
+    return track
+
+
+def _aside(frames: Frames, place: np.ndarray) -> float:
+    """How far a place is beside where sections lead, straight on or with their bend, mm."""
+    last = frames[-1]
+    offset = place - last.origin[0]
+    ahead = float(offset @ last.tangent[0])
+    bent = offset - ahead * last.tangent[0] - 0.5 * ahead**2 * last.bend[0]
+    few = frames.origin[-_LEADING:]
+    middle = few.mean(axis=0)
+    way = np.linalg.svd(few - middle)[2][0]
+    straight = (place - middle) - ((place - middle) @ way) * way
+    return float(min(np.linalg.norm(bent), np.linalg.norm(straight)))
 
 
 def reversed_track(track: Track) -> Track:
