@@ -29,7 +29,7 @@ __all__ = [
 
 _BESIDE = 2  # sections on each side that tell a tangent
 _DOUBTFUL = 2.5  # times the median sigma of a track
-_ASIDE = 0.4  # pitches of a last section beside where the others lead
+_ASIDE = 0.5  # pitches of a last section beside where the others lead
 _LEADING = 5  # sections that lead straight on
 _MOST_DOUBTFUL = 2  # sections at an end
 _FEWEST = 4  # sections that are left of it
