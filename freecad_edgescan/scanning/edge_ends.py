@@ -24,7 +24,14 @@ from .stop import Stop
 from .trace import Trace, turned
 from .vertex import EdgeEnd, FoundVertex, find_vertex
 
-__all__ = ["Vertices", "corners_at", "led_to_vertex", "vertices_of", "walked_to_vertices"]
+__all__ = [
+    "Vertices",
+    "corners_at",
+    "led_to_vertex",
+    "vertices_of",
+    "walked_to_vertices",
+    "without_doubtful_end",
+]
 
 Vertices = tuple[FoundVertex | None, FoundVertex | None]
 
@@ -63,7 +70,7 @@ def led_to_vertex(
     beyond : how much farther than where a walk ends the vertex may lie, mm
     """
     pitch = settings.cloud_pitch
-    stations = _without_doubtful_end(walked)
+    stations = without_doubtful_end(walked)
     last = stations[-1]
     steps = max(last.step, settings.edge_pitch) if np.isfinite(last.step) else settings.edge_pitch
     few = stations[-int(np.clip(round(_DRAWN_OUT * pitch / steps), _FEWEST, _MOST)) :]
@@ -94,7 +101,7 @@ def led_to_vertex(
     return stations[:kept]
 
 
-def _without_doubtful_end(stations: list[Station]) -> list[Station]:
+def without_doubtful_end(stations: list[Station]) -> list[Station]:
     """Without last stations that a corner disturbs: badly known, or turned round it."""
     known = _DOUBTFUL * float(np.median([station.sigma for station in stations]))
 

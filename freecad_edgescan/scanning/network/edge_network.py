@@ -10,7 +10,8 @@ from functools import cached_property
 import numpy as np
 
 from ...cloud.point_cloud import PointCloud
-from ..scanned_edge import ScannedEdge
+from ..report import describe
+from ..scanned_edge import ScannedEdge, Vertex
 from ..stop import Stop
 from .corners import Corners, joined_corners
 from .regions import Region, regions_between
@@ -166,10 +167,17 @@ def _end(corners: Corners, edge: ScannedEdge, number: int, k: int) -> int | Stop
 
 def _ending_in(edge: ScannedEdge, corners: Corners, number: int) -> ScannedEdge:
     """The edge with its corners for vertices; a vertex that is no corner is none."""
-    vertices = [
-        None
-        if (corner := int(corners.of_ends[number, k])) < 0
-        else (corners.points[corner], corners.covariance[corner])
-        for k in (0, 1)
-    ]
-    return replace(edge, vertices=(vertices[0], vertices[1]))
+    start, end = corners.of_ends[number].tolist()
+    edge = replace(
+        edge,
+        vertices=(_vertex(corners, start), _vertex(corners, end)),
+        stops=(
+            edge.stops[0] if start < 0 else Stop.CORNER,
+            edge.stops[1] if end < 0 else Stop.CORNER,
+        ),
+    )
+    return replace(edge, message=describe(edge, None))
+
+
+def _vertex(corners: Corners, number: int) -> Vertex | None:
+    return None if number < 0 else (corners.points[number], corners.covariance[number])

@@ -39,7 +39,20 @@ def finished(cloud: PointCloud, task: tuple[Trace, Chosen]) -> ScannedEdge | Non
         check_edge(edge, cloud, chosen)
     except ScanError:
         return None
-    return replace(edge, message=describe(edge, None)) if _sure(edge, chosen.settings) else None
+    return _truly_ending(edge) if _sure(edge, chosen.settings) else None
+
+
+def _truly_ending(edge: ScannedEdge) -> ScannedEdge:
+    """The edge, with a corner only where it has found the vertex with a third surface.
+
+    That a walk met points of neither side, or another edge, makes no corner yet.
+    """
+    start, end = (
+        Stop.LOST if stop is Stop.CORNER and vertex is None else stop
+        for stop, vertex in zip(edge.stops, edge.vertices, strict=True)
+    )
+    edge = replace(edge, stops=(start, end))
+    return replace(edge, message=describe(edge, None))
 
 
 def _sure(edge: ScannedEdge, settings: PatchSettings) -> bool:

@@ -17,7 +17,7 @@ from .chains import follow
 from .cloud_workers import CloudWorkers
 from .measuring import measure_sections
 from .strips import NOBODY, Strips
-from .tracks import Track, join_tracks, reversed_track
+from .tracks import Track, join_tracks, reversed_track, without_doubtful_ends
 
 __all__ = ["bridged"]
 
@@ -31,7 +31,7 @@ _POINTS_NEAR = 2.0  # pitches
 def bridged(workers: CloudWorkers, tracks: list[Track], settings: PatchSettings) -> list[Track]:
     """Tracks joined to edges, the longest first."""
     pitch = settings.cloud_pitch
-    tracks = _without_overlaps(tracks, pitch)
+    tracks = [without_doubtful_ends(track, pitch) for track in _without_overlaps(tracks, pitch)]
     refused: set[tuple[bytes, bytes]] = set()
     while True:
         pair = _nearest_ends(tracks, pitch, refused)

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..automatic import Chosen
-from ..edge_ends import led_to_vertex
+from ..edge_ends import led_to_vertex, without_doubtful_end
 from ..gait import AdaptiveGait
 from ..patch_section import PatchSection
 from ..scanned_edge import ScannedEdge
@@ -26,7 +26,7 @@ from .cloud_workers import CloudWorkers
 from .finishing import finished, part_of_trace, parted_at_bend
 from .soundness import corners_within, sound_stretches
 from .strips import NOBODY, Strips
-from .tracks import Track
+from .tracks import Track, leading_on
 
 __all__ = ["Tracer"]
 
@@ -187,6 +187,8 @@ class Tracer:
                 led = led_to_vertex(self.workers.cloud, stations, settings, beyond)
                 if led is not None:
                     return led, Stop.CORNER
+                # From a section that looks aside no walk finds on.
+                stations = without_doubtful_end(stations)
 
             places = np.array([station.frame.origin[0] for station in stations])
             own = places[_AT_HOME:-_AT_HOME]
@@ -218,13 +220,8 @@ class Tracer:
         """The stations with those of an open track that begins where they end."""
         if other not in self.open:
             return None
-        own = self.tracks[other].stations()
         last = stations[-1].frame
-        first, end = (
-            float(np.linalg.norm(own[k].frame.origin[0] - last.origin[0])) for k in (0, -1)
-        )
-        if end < first:
-            own = [turned(station) for station in reversed(own)]
+        own = leading_on(self.tracks[other], last).stations()
         ahead = _onward(stations[-1], own)
         if self.tracks[other].closed or len(ahead) < max(2, _AHEAD * len(own)):
             return None

@@ -17,9 +17,22 @@ from ..section import Frames, Station, frames_from_sides
 from .chains import Chain
 from .soundness import corners_within
 
-__all__ = ["Track", "join_tracks", "reversed_track", "split_at_corners", "track_of"]
+__all__ = [
+    "Track",
+    "join_tracks",
+    "leading_on",
+    "reversed_track",
+    "split_at_corners",
+    "track_of",
+    "without_doubtful_ends",
+]
 
 _BESIDE = 2  # sections on each side that tell a tangent
+_DOUBTFUL = 2.5  # times the median sigma of a track
+_ASIDE = 0.5  # pitches of a last section beside where the others lead
+_LEADING = 5  # sections that lead straight on
+_MOST_DOUBTFUL = 2  # sections at an end
+_FEWEST = 4  # sections that are left of it
 
 
 @dataclass(frozen=True)
@@ -59,18 +72,8 @@ def track_of(sections: MeasuredSections, chain: Chain) -> Track:
     own = sections[chain.rows]
     frames = own.frames
     tangent = np.where(chain.forward[:, None], frames.tangent, -frames.tangent)
-    crossed = _crossed(frames.sides, tangent)
-    other = np.where(crossed[:, None], np.array([1, 0]), np.array([0, 1]))
-    rows = np.arange(len(own))[:, None]
-    turned = Frames(
-        frames.origin,
-        tangent,
-        frames.sides[rows, other],
-        frames.normals[rows, other],
-        frames.bend,
-        frames.curvature[rows, other],
-    )
-    return _steadied(replace(own, frames=turned, begins=own.begins[rows, other]), chain.closed)
+    own = replace(own, frames=replace(frames, tangent=tangent))
+    return _steadied(_with_other_sides(own, _crossed(frames.sides, tangent)), chain.closed)
 
 
 def split_at_corners(track: Track) -> list[Track]:
@@ -95,11 +98,64 @@ def split_at_corners(track: Track) -> list[Track]:
     return parts
 
 
+def without_doubtful_ends(track: Track, pitch: float) -> Track:
+    """The track without last sections that are known badly, or stand beside its course.
+
+    Such a section is followed by none, so that a track breaks off there; and it turns the end
+    away from where the edge goes on.
+
+    Parameters
+    ----------
+    pitch : of the cloud, mm
+    """
+    if track.closed:
+        return track
+    track = _without_doubtful_end(track, pitch)
+    return reversed_track(_without_doubtful_end(reversed_track(track), pitch))
+
+
+def _without_doubtful_end(track: Track, pitch: float) -> Track:
+    known = _DOUBTFUL * float(np.median(track.sections.sigma))
+    for _ in range(_MOST_DOUBTFUL):
+        if len(track) <= _FEWEST:
+            break
+        rest = join_tracks([Track(track.sections[np.arange(len(track) - 1)], False)])
+        aside = _aside(rest.sections.frames, track.sections.frames.origin[-1])
+        if track.sections.sigma[-1] <= known and aside <= _ASIDE * pitch:
+            break
+        track = rest
+    return track
+
+
+def _aside(frames: Frames, place: np.ndarray) -> float:
+    """How far a place is beside where sections lead, straight on or with their bend, mm."""
+    last = frames[-1]
+    offset = place - last.origin[0]
+    ahead = float(offset @ last.tangent[0])
+    bent = offset - ahead * last.tangent[0] - 0.5 * ahead**2 * last.bend[0]
+    few = frames.origin[-_LEADING:]
+    middle = few.mean(axis=0)
+    way = np.linalg.svd(few - middle)[2][0]
+    straight = (place - middle) - ((place - middle) @ way) * way
+    return float(min(np.linalg.norm(bent), np.linalg.norm(straight)))
+
+
 def reversed_track(track: Track) -> Track:
     """The same track the other way."""
     backward = track.sections[np.arange(len(track))[::-1]]
     frames = replace(backward.frames, tangent=-backward.frames.tangent)
     return Track(replace(backward, frames=frames), track.closed)
+
+
+def leading_on(track: Track, frame: Frames) -> Track:
+    """The same track from its end that is nearer to a section, its sides in the order of that."""
+    origin = track.sections.frames.origin
+    first, last = np.linalg.norm(origin[[0, -1]] - frame.origin, axis=1)
+    if last < first:
+        track = reversed_track(track)
+    both = Frames.join([frame, track.sections.frames[:1]])
+    crossed = np.full(len(track), _crossed(both.sides, both.tangent)[1])
+    return Track(_with_other_sides(track.sections, crossed), track.closed)
 
 
 def join_tracks(parts: list[Track], closed: bool = False) -> Track:
@@ -108,6 +164,23 @@ def join_tracks(parts: list[Track], closed: bool = False) -> Track:
     count = len(sections)
     chain = Chain(np.arange(count), np.ones(count, dtype=bool), closed)
     return track_of(sections, chain)
+
+
+def _with_other_sides(sections: MeasuredSections, crossed: np.ndarray) -> MeasuredSections:
+    """Sections (k), the two sides of some of them (k,) in the other order."""
+    frames, rows = sections.frames, np.arange(len(sections))[:, None]
+    order = np.where(crossed[:, None], np.array([1, 0]), np.array([0, 1]))
+    return replace(
+        sections,
+        frames=replace(
+            frames,
+            sides=frames.sides[rows, order],
+            normals=frames.normals[rows, order],
+            curvature=frames.curvature[rows, order],
+        ),
+        begins=sections.begins[rows, order],
+        ends=sections.ends[rows, order],
+    )
 
 
 def _crossed(sides: np.ndarray, tangent: np.ndarray) -> np.ndarray:
