@@ -14,7 +14,7 @@ import numpy as np
 from ..cloud import PointCloud
 from ..scanning import EdgeNetwork, Progress, ScannedEdge, find_edges
 from ..scanning.automatic import MIN_ANGLE
-from ..scanning.edge_choice import EdgeChoice, part_of_network
+from ..scanning.edge_choice import EdgeChoice
 from ..scanning.network.find_edges import SHORTEST
 
 __all__ = ["NetworkSearch", "keep_network"]
@@ -90,7 +90,7 @@ def keep_network(search: NetworkSearch, network: EdgeNetwork) -> None:
 
 
 def _first(network: EdgeNetwork, most: int) -> EdgeNetwork:
-    part = part_of_network(network, np.arange(len(network)) < most)
+    part = network.part(np.arange(len(network)) < most)
     count = f"{most} edge{'s' * (most != 1)}"
     message = f"The search ended after {count}, as it was told; there may be more."
     return replace(part, cancelled=False, message=message)

@@ -19,7 +19,7 @@ from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.document.edge_network import choice_of
 from freecad_edgescan.document.network_search import NetworkSearch
 from freecad_edgescan.scanning.automatic import MIN_ANGLE
-from freecad_edgescan.scanning.edge_choice import EdgeChoice, part_of_network
+from freecad_edgescan.scanning.edge_choice import EdgeChoice
 
 from .all_edges_form import AllEdgesForm
 from .edge_text import edge_text
@@ -118,7 +118,7 @@ class AllEdgesPanel(ViewPanel):
         """Put the edges into the document; the panel stays open when that fails."""
         if self._found is None or not self._mask.any():
             return False
-        kept = part_of_network(self._found.network, self._mask)
+        kept = self._found.network.part(self._mask)
         given = self._choice, self._found.search.most
         try:
             if self._edited is not None:
@@ -311,7 +311,7 @@ class AllEdgesPanel(ViewPanel):
             self._mask = self._choice.mask(edges, self._numbers.pitch)
         corners = np.zeros((0, 3))
         if self._found is not None:
-            corners = part_of_network(self._found.network, self._mask).corners
+            corners = self._found.network.part(self._mask).corners
         self._display.show_edges(known.lines, self._mask, corners)
         length = sum(edge.length for edge, kept in zip(edges, self._mask, strict=True) if kept)
         self._form.show_counts(int(self._mask.sum()), len(edges), float(length))

@@ -16,9 +16,8 @@ from scipy.spatial import cKDTree
 
 from .network import EdgeNetwork
 from .scanned_edge import ScannedEdge
-from .stop import Stop
 
-__all__ = ["EdgeChoice", "nearest_edges", "part_of_network", "place_on", "turn_of"]
+__all__ = ["EdgeChoice", "nearest_edges", "place_on", "turn_of"]
 
 Array = NDArray[np.float64]
 
@@ -70,7 +69,7 @@ class EdgeChoice:
 
     def of(self, network: EdgeNetwork) -> EdgeNetwork:
         """The part of a network that is kept."""
-        return part_of_network(network, self.mask(network.edges, network.cloud.pitch))
+        return network.part(self.mask(network.edges, network.cloud.pitch))
 
     def toggled(self, edges: Sequence[ScannedEdge], number: int, pitch: float) -> EdgeChoice:
         """The choice in which one edge is kept if it was not, and left out if it was kept.
@@ -116,41 +115,6 @@ def nearest_edges(
     owner = np.repeat(np.arange(len(edges)), [2 * len(edge) - 1 for edge in edges])
     away, row = cKDTree(np.vstack([_dense(edge.points) for edge in edges])).query(places)
     return np.asarray(owner[row[away <= _ON_EDGE * pitch]], dtype=np.intp)
-
-
-def part_of_network(network: EdgeNetwork, mask: ArrayLike) -> EdgeNetwork:
-    """Some edges of a network, as they are: they end in the corners that all edges told.
-
-    Parameters
-    ----------
-    mask : (m,) bool, for each edge whether it is kept
-    """
-    wanted = np.asarray(mask, dtype=bool)
-    if wanted.all():
-        return network
-    rows = np.flatnonzero(wanted).tolist()
-    ends = [network.ends[row] for row in rows]
-    corners = sorted({end for pair in ends for end in pair if not isinstance(end, Stop)})
-    corner_of = {old: new for new, old in enumerate(corners)}
-    edge_of = {old: new for new, old in enumerate(rows)}
-    return replace(
-        network,
-        edges=tuple(network.edges[row] for row in rows),
-        corners=network.corners[corners],
-        corner_covariance=network.corner_covariance[corners],
-        corner_misclosure=network.corner_misclosure[corners],
-        ends=tuple(
-            (_renumbered(start, corner_of), _renumbered(end, corner_of)) for start, end in ends
-        ),
-        passing=np.array(
-            [edge_of.get(int(network.passing[corner]), -1) for corner in corners], dtype=np.int64
-        ),
-        message=f"{len(rows)} of {len(network)} edges are kept. {network.message}",
-    )
-
-
-def _renumbered(end: int | Stop, corner_of: dict[int, int]) -> int | Stop:
-    return end if isinstance(end, Stop) else corner_of[end]
 
 
 def _but(places: Array, edges: Sequence[ScannedEdge], number: int, pitch: float) -> Array:

@@ -264,6 +264,6 @@ def _contradictions(bounds: tuple[Bound, ...]) -> Iterable[str]:
             yield (
                 f"The {parameter.replace('_', ' ')} should be at least {least.value:.4g} mm "
                 f"(Schreve {least.equation}) and at most {most.value:.4g} mm (Schreve "
-                f"{most.equation}), which "
-                "cannot both be; the edge may be scanned, but inaccurately."
+                f"{most.equation}), which cannot both be; the edge may be scanned, but "
+                "inaccurately."
             )

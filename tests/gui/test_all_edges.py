@@ -20,6 +20,7 @@ from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.document.network_search import NetworkSearch, keep_network  # noqa: E402
 
 from .test_scan_panel_macro import replayed  # noqa: E402
+from .ways_out import by_cancel, by_escape, by_freecad, by_the_cross  # noqa: E402
 
 SIZE = (24.0, 18.0, 12.0)
 PITCH = 0.5
@@ -407,22 +408,6 @@ def when_stopped(known: Any) -> None:
 def when_found(known: Any) -> None:
     found(known)
     known.click(TOP_FRONT)
-
-
-def by_escape(known: Any) -> None:
-    known.press_escape()
-
-
-def by_cancel(known: Any) -> None:
-    known.button("Cancel").click()
-
-
-def by_the_cross(known: Any) -> None:
-    known.close_dock()
-
-
-def by_freecad(known: Any) -> None:
-    Gui.Control.closeDialog()
 
 
 MOMENTS = [before_the_first_report, while_it_searches, when_stopped, when_found]

@@ -18,6 +18,7 @@ from freecad_edgescan.gui.background import running  # noqa: E402
 from freecad_edgescan.gui.qt import QtCore, QtWidgets  # noqa: E402
 
 from .conftest import roof  # noqa: E402
+from .ways_out import by_cancel, by_escape, by_freecad, by_the_cross  # noqa: E402
 
 ON_THE_RIDGE = (0.3, 2.0, 5.0)
 PREVIEWS = ("EdgeScanPreview", "EdgeScanThinnedClouds")
@@ -93,22 +94,6 @@ def after_a_failure(window: Any) -> None:
     window.open_panel()
     window.click((8.0, 0.0, 5.0 - 0.8 * 8.0))
     window.wait_until(lambda: "being followed" not in window.sentence)
-
-
-def by_escape(window: Any) -> None:
-    window.press_escape()
-
-
-def by_cancel(window: Any) -> None:
-    window.button("Cancel").click()
-
-
-def by_the_cross(window: Any) -> None:
-    window.close_dock()
-
-
-def by_freecad(window: Any) -> None:
-    Gui.Control.closeDialog()
 
 
 MOMENTS = [

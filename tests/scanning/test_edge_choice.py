@@ -11,7 +11,6 @@ from freecad_edgescan.scanning.each_edge import scan_each
 from freecad_edgescan.scanning.edge_choice import (
     EdgeChoice,
     nearest_edges,
-    part_of_network,
     turn_of,
 )
 
@@ -76,7 +75,7 @@ def test_turn_and_sigma_leave_out_edges_too(network: es.EdgeNetwork) -> None:
 
 def test_corners_of_a_part_are_those_in_which_its_edges_end(network: es.EdgeNetwork) -> None:
     number = int(nearest_edges(network.edges, TOP_FRONT, PITCH)[0])
-    part = part_of_network(network, np.arange(len(network)) == number)
+    part = network.part(np.arange(len(network)) == number)
     assert part.ends == ((0, 1),) or part.ends == ((1, 0),)
     found = part.corners[np.argsort(part.corners[:, 0])]
     assert np.abs(found - [[0.0, 0.0, 12.0], [24.0, 0.0, 12.0]]).max() < PITCH

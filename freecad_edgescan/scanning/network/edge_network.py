@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from ...cloud.point_cloud import PointCloud
 from ..report import describe
@@ -113,7 +114,7 @@ class EdgeNetwork:
         max_sigma: float = np.inf,
         keep: Callable[[ScannedEdge], bool] | None = None,
     ) -> EdgeNetwork:
-        """The network of some of the edges, without scanning again.
+        """The part of the network whose edges are long, sharp and well known, as it is.
 
         Parameters
         ----------
@@ -122,15 +123,45 @@ class EdgeNetwork:
         max_sigma : mm, the median along an edge
         keep : answers for an edge whether it is kept
         """
-        kept = [
-            edge
-            for edge in self.edges
-            if edge.length >= min_length
-            and np.pi - float(np.median(edge.angle)) >= min_angle
-            and float(np.median(edge.sigma)) <= max_sigma
-            and (keep is None or keep(edge))
-        ]
-        return network_of(self.cloud, kept, self.message, self.cancelled)
+        return self.part(
+            [
+                edge.length >= min_length
+                and np.pi - float(np.median(edge.angle)) >= min_angle
+                and float(np.median(edge.sigma)) <= max_sigma
+                and (keep is None or keep(edge))
+                for edge in self.edges
+            ]
+        )
+
+    def part(self, mask: ArrayLike) -> EdgeNetwork:
+        """Some of the edges, as they are: they end in the corners that all edges told.
+
+        Parameters
+        ----------
+        mask : (m,) bool, for each edge whether it is kept
+        """
+        wanted = np.asarray(mask, dtype=bool)
+        if wanted.all():
+            return self
+        rows = np.flatnonzero(wanted).tolist()
+        ends = [self.ends[row] for row in rows]
+        corners = sorted({end for pair in ends for end in _numbers(pair)})
+        corner_of = {old: new for new, old in enumerate(corners)}
+        edge_of = {old: new for new, old in enumerate(rows)}
+        return replace(
+            self,
+            edges=tuple(self.edges[row] for row in rows),
+            corners=self.corners[corners],
+            corner_covariance=self.corner_covariance[corners],
+            corner_misclosure=self.corner_misclosure[corners],
+            ends=tuple(
+                (_renumbered(start, corner_of), _renumbered(end, corner_of)) for start, end in ends
+            ),
+            passing=np.array(
+                [edge_of.get(int(self.passing[corner]), -1) for corner in corners], dtype=np.int64
+            ),
+            message=f"{len(rows)} of {len(self)} edges are kept. {self.message}",
+        )
 
 
 def network_of(
@@ -158,6 +189,10 @@ def network_of(
 
 def _numbers(ends: tuple[int | Stop, int | Stop]) -> list[int]:
     return [end for end in ends if not isinstance(end, Stop)]
+
+
+def _renumbered(end: int | Stop, corner_of: dict[int, int]) -> int | Stop:
+    return end if isinstance(end, Stop) else corner_of[end]
 
 
 def _end(corners: Corners, edge: ScannedEdge, number: int, k: int) -> int | Stop:

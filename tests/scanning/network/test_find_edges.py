@@ -110,7 +110,13 @@ def test_the_regions_of_a_box_are_its_six_faces_with_four_edges_each(network):
 
 
 def test_filters_need_no_new_scan(network):
-    assert len(network.filtered(min_length=15.0)) == 8
+    long = network.filtered(min_length=15.0)
+    assert len(long) == 8
+    # The corners stay where all twelve edges have told.
+    assert {tuple(corner) for corner in long.corners} <= {tuple(c) for c in network.corners}
+    for edge, ends in zip(long.edges, long.ends, strict=True):
+        for vertex, end in zip(edge.vertices, ends, strict=True):
+            assert np.array_equal(vertex[0], long.corners[end])
     assert len(network.filtered(min_angle=np.radians(100.0))) == 0
     assert len(network.filtered(keep=lambda edge: abs(edge.tangents[0, 0]) > 0.9)) == 4
 
