@@ -32,7 +32,6 @@ class Corners:
     sides : (m, 2, 3) unit vectors along the two sides, away from the edge
     covariance : (m, 2, 2) mm², in the axes of `across_axes`
     shared : (m, 2, 2) mm², the part of it that neighbouring sections have in common
-    variances : (m, 2) mm², of each side's position at the edge
     shift : (m, 2) mm, from the frame's origin, along the frame's across axes
     found : (m,) whether the sides meet near the origin
     """
@@ -43,7 +42,6 @@ class Corners:
     sides: np.ndarray
     covariance: np.ndarray
     shared: np.ndarray
-    variances: np.ndarray
     shift: np.ndarray
     found: np.ndarray
 
@@ -76,6 +74,57 @@ def largest_sigma(covariance: np.ndarray) -> np.ndarray:
     return np.sqrt(np.maximum(0.5 * (a + d) + np.hypot(0.5 * (a - d), b), 0.0))
 
 
+@dataclass(frozen=True)
+class Meeting:
+    """Where the two moved sides of m sections meet; lengths in reaches, in the axes across.
+
+    Attributes
+    ----------
+    axes : (m, 2, 3) across the edge
+    along_side, along_normal : (m, side, axis) the frames' sides and normals in these
+    shift : (m, 2) from the frame's origin
+    gradient : (m, 2, 2) unit normal of each side there
+    slope : (m, 2) of each side along the edge
+    found : (m,) whether they meet near the origin
+    """
+
+    axes: np.ndarray
+    along_side: np.ndarray
+    along_normal: np.ndarray
+    shift: np.ndarray
+    gradient: np.ndarray
+    slope: np.ndarray
+    found: np.ndarray
+
+    @staticmethod
+    def of(frames: Frames, coefficients: np.ndarray, offset: np.ndarray) -> Meeting:
+        """Intersect sides (m, 2, 4) that are moved along the frames' normals by offsets (m,)."""
+        axes = across_axes(frames.normals)
+        along_side = np.einsum("mki,mai->mka", frames.sides, axes)
+        along_normal = np.einsum("mki,mai->mka", frames.normals, axes)
+        shift, distance = np.zeros((len(frames), 2)), offset[:, None]
+        for _ in range(_ITERATIONS):
+            value, gradient, slope = _section_distance(
+                coefficients, along_side, along_normal, shift
+            )
+            target = distance * np.sqrt(1.0 + slope**2)
+            missing = value - target
+            step = np.einsum("mab,mb->ma", inverse_2x2(gradient), missing)
+            step = np.maximum(np.minimum(step, 0.5), -0.5)
+            shift = np.maximum(np.minimum(shift - step, 3.0), -3.0)
+            if np.max(np.abs(step), initial=0.0) < 1e-10:
+                break
+        value, gradient, slope = _section_distance(coefficients, along_side, along_normal, shift)
+        found = np.all(np.abs(value - distance * np.sqrt(1.0 + slope**2)) < 1e-6, axis=1)
+        return Meeting(axes, along_side, along_normal, shift, gradient, slope, found)
+
+    def terms(self, at: np.ndarray) -> np.ndarray:
+        """Terms (m, 2, 4) of the two sides at places (m, 2, 2) across the edge."""
+        s = np.einsum("mka,mka->mk", self.along_side, at)
+        n = np.einsum("mka,mka->mk", self.along_normal, at)
+        return np.stack([np.ones_like(s), s, 0.5 * (s**2 + n**2), np.zeros_like(s)], axis=-1)
+
+
 def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) -> Corners:
     """Intersect the two sides of each section.
 
@@ -85,43 +134,24 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
     offset : distance to move the sides along the frames' normals, mm; (m,) or one number
     """
     reach = fits.reach
-    axes = across_axes(frames.normals)
-    # Sides and normals in the two axes across the edge: (m, side, axis).
-    along_side = np.einsum("mki,mai->mka", frames.sides, axes)
-    along_normal = np.einsum("mki,mai->mka", frames.normals, axes)
-    c = fits.coefficients
-    shift = np.zeros((len(frames), 2))
-    distance = np.broadcast_to(np.asarray(offset, dtype=float) / reach, (len(frames),))[:, None]
-    for _ in range(_ITERATIONS):
-        value, gradient, slope = _section_distance(c, along_side, along_normal, shift)
-        target = distance * np.sqrt(1.0 + slope**2)
-        missing = value - target
-        step = np.einsum("mab,mb->ma", _inverse_2x2(gradient), missing)
-        step = np.maximum(np.minimum(step, 0.5), -0.5)
-        shift = np.maximum(np.minimum(shift - step, 3.0), -3.0)
-        if np.max(np.abs(step), initial=0.0) < 1e-10:
-            break
-    value, gradient, slope = _section_distance(c, along_side, along_normal, shift)
-    found = np.all(np.abs(value - distance * np.sqrt(1.0 + slope**2)) < 1e-6, axis=1)
-    point = frames.origin + np.einsum("ma,mai->mi", shift, axes) * reach
-    flat = np.einsum("mka,mai->mki", gradient, axes)
-    normals = unit(flat - slope[..., None] * frames.tangent[:, None])
+    distance = np.broadcast_to(np.asarray(offset, dtype=float) / reach, (len(frames),))
+    met = Meeting.of(frames, fits.coefficients, distance)
+    point = frames.origin + np.einsum("ma,mai->mi", met.shift, met.axes) * reach
+    flat = np.einsum("mka,mai->mki", met.gradient, met.axes)
+    normals = unit(flat - met.slope[..., None] * frames.tangent[:, None])
     tangent = cross(normals[:, 0], normals[:, 1])
     tangent *= np.sign(np.einsum("mi,mi->m", tangent, frames.tangent))[:, None]
     size = np.linalg.norm(tangent, axis=-1, keepdims=True)
     tangent = np.where(size > 1e-6, tangent / np.maximum(size, 1e-300), frames.tangent)
     sides = cross(normals, tangent[:, None])
     sides *= np.where(np.einsum("mki,mki->mk", sides, frames.sides) < 0, -1.0, 1.0)[..., None]
-    variances, common = _variance_at(
-        fits, along_side, along_normal, shift, gradient * distance[:, :, None]
-    )
-    inverse = _inverse_2x2(gradient)
+    foot = met.shift[:, None] - met.gradient * distance[:, None, None]
+    inverse = inverse_2x2(met.gradient)
     covariance, shared = (
-        np.einsum("mak,mk,mbk->mab", inverse, part, inverse) for part in (variances, common)
+        inverse @ (reach**2 * part) @ np.swapaxes(inverse, 1, 2)
+        for part in fits.position_covariance(met.terms(foot))
     )
-    return Corners(
-        point, tangent, normals, sides, covariance, shared, variances, shift * reach, found
-    )
+    return Corners(point, tangent, normals, sides, covariance, shared, met.shift * reach, met.found)
 
 
 def _section_distance(
@@ -139,32 +169,8 @@ def _section_distance(
     return distance, gradient, c[..., 3] / root
 
 
-def _variance_at(
-    fits: SideFits,
-    along_side: np.ndarray,
-    along_normal: np.ndarray,
-    shift: np.ndarray,
-    offset: np.ndarray,
-) -> tuple[np.ndarray, np.ndarray]:
-    """Variance of each side's position where the edge point stands on it, (m, 2) mm².
-
-    And the part of it that comes from what neighbouring sections share: the expected curvature,
-    and what their stretches' beginnings have in common.
-    """
-    foot = shift[:, None] - offset
-    s = np.einsum("mka,mka->mk", along_side, foot)
-    n = np.einsum("mka,mka->mk", along_normal, foot)
-    terms = np.stack([np.ones_like(s), s, 0.5 * (s**2 + n**2), np.zeros_like(s)], axis=-1)
-    leverage = np.einsum("mki,mkij,mkj->mk", terms, fits.inverse, terms)
-    # How far an error of the expected curvature moves the side.
-    moved = np.einsum("mki,mki->mk", terms, fits.inverse[..., 2]) * fits.expectation
-    common = fits.variance * moved**2 / np.maximum(fits.expectation, 1e-300)
-    return tuple(
-        (part + fits.astray) * fits.reach**2 for part in (fits.variance * leverage, common)
-    )
-
-
-def _inverse_2x2(matrix: np.ndarray) -> np.ndarray:
+def inverse_2x2(matrix: np.ndarray) -> np.ndarray:
+    """Inverses of matrices (m, 2, 2), bounded where two sides are nearly parallel."""
     a, b, c, d = matrix[:, 0, 0], matrix[:, 0, 1], matrix[:, 1, 0], matrix[:, 1, 1]
     determinant = a * d - b * c
     inverse = np.empty_like(matrix)

@@ -32,20 +32,25 @@ from .pooling import (
     shared_curvature,
     times_counted,
 )
+from .rounded_fits import RoundedFits
+from .rounded_sides import fit_rounded
 from .section import Frames, SectionPoints, frames_from_sides
 from .side_fit import SideFits, fit_summed
-from .stop import Stop
+from .stop import GIVEN_ENDS, Stop
 from .strip import strip_points
 
 _NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
 _SUPPLIED = 3  # points of a side below which a section bridges a gap
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
-# Ends at which the sides go on.
-GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)
 _MOSTLY, _SOME = 0.5, 0.05  # shares of the sections
 _BESIDE = 11  # sections whose roundings are alike
 _MOST_ROUNDED = 0.6  # of a side
 _SURELY = 0.2  # share of the usual doubt about where the sides are
+# Where the points next to the edge are: share of the points that may lie nearer, width in pitches.
+_FIRST, _TOP = 0.01, 1.5
+# Standard deviations by which they lie below the sides, most of them, and their mean in its own.
+_BELOW, _SURELY_BELOW = 0.5, 5.0
+_BENT = 0.2  # sagitta of a side, in noise, that may be a rounding's
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
@@ -83,6 +88,8 @@ class Measured:
 
     def rounding(self, cloud_pitch: float, closed: bool) -> tuple[np.ndarray, np.ndarray]:
         """Radius of the rounding in the cloud and its sigma, (m,) mm; nan where there is none."""
+        if isinstance(self.fits, RoundedFits):
+            return self.fits.radius * self.fits.reach, self.fits.radius_sigma * self.fits.reach
         return rounding_radius(
             self.frames,
             self.points,
@@ -96,7 +103,11 @@ class Measured:
 
 
 def measure_together(
-    cloud: PointCloud, path: EdgePath, settings: PatchSettings, noise: float
+    cloud: PointCloud,
+    path: EdgePath,
+    settings: PatchSettings,
+    noise: float,
+    about: float | None = None,
 ) -> Measured:
     """Measure all sections of an edge.
 
@@ -104,6 +115,7 @@ def measure_together(
     ----------
     path : sections along the edge
     noise : standard deviation of the points along the normal, mm
+    about : radius of a rounding that has been found between the sides, mm
     """
     points, plausible, extent = _strip(cloud, path, settings, noise)
     pooled, outliers = cleaned(points[plausible], path, settings, noise)
@@ -111,6 +123,22 @@ def measure_together(
     used = plausible.copy()
     used[plausible] = ~outliers
     measured = _measure(points, used, pooled, extent, path, settings)
+    if about is not None or _may_be_rounded(measured, settings.cloud_pitch, path.closed):
+        place = path.at[points.owner] + points.along
+        within = points[(place >= extent[0]) & (place <= extent[1])]
+        counted = times_counted(path, settings.half_width)
+        together = fit_rounded(
+            within, measured.fits, measured.noise, path, settings, counted, about
+        )
+        if together is not None:
+            fits, borrowed, asked = together
+            return replace(
+                measured,
+                fits=fits,
+                removed=~used | ~_in_stretch(points, fits),
+                half_length=settings.half_width + borrowed * path.spacing,
+                asked=asked,
+            )
     rounded = _rounded_away(measured, settings, path.closed)
     if rounded is None:
         return measured
@@ -146,6 +174,30 @@ def _measure(
         path.at,
         extent,
     )
+
+
+def _may_be_rounded(measured: Measured, cloud_pitch: float, closed: bool) -> bool:
+    """Whether something has perhaps rounded the edge.
+
+    The points next to it lie below the sides, or the sides bend as if they had taken a rounding
+    for a part of themselves.
+    """
+    points, fits = measured.points, measured.fits
+    seen = measured.corners()
+    foot = np.einsum("mki,mi->mk", measured.frames.sides, seen.point - measured.frames.origin)
+    beside = points.away - foot[points.owner, points.side]
+    # Under a wide rounding nothing is left next to the edge.
+    nearest = max(float(np.quantile(beside, _FIRST)), 0.0)
+    top = points[beside < nearest + _TOP * cloud_pitch]
+    below = -fits.residuals(top) / np.maximum(measured.noise[top.owner, top.side], 1e-12)
+    count = np.unique(top.index).size
+    radius, _ = measured.rounding(cloud_pitch, closed)
+    if np.mean(np.isfinite(radius)) > _MOSTLY:
+        return True
+    if np.median(below) > _BELOW and np.mean(below) * np.sqrt(count) > _SURELY_BELOW:
+        return True
+    sagitta = 0.125 * fits.coefficients[..., 2] * (fits.ends - fits.begins) ** 2 / fits.reach
+    return bool(np.median(sagitta / measured.noise, axis=0).min() < -_BENT)
 
 
 def _rounded_away(measured: Measured, settings: PatchSettings, closed: bool) -> np.ndarray | None:

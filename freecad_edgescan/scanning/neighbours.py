@@ -60,6 +60,21 @@ class Neighbours:
             total = total + moved_moments(theirs, self._moves(step))
         return total
 
+    def pooled_pairs(self, own: np.ndarray, width: int) -> np.ndarray:
+        """Sum of matrices (m, k, k) over the five terms of both sides and others behind them.
+
+        What is behind them, as a radius, is the same in every section.
+        """
+        total = own.copy()
+        for step in self._steps(width):
+            moves = self._moves(step)
+            turn = np.zeros_like(own)
+            turn[:, :5, :5], turn[:, 5:10, 5:10] = moves[:, 0], moves[:, 1]
+            rest = np.arange(10, own.shape[-1])
+            turn[:, rest, rest] = moves[:, :1, 0, 0]
+            total += turn @ np.roll(own, -step, axis=0) @ np.swapaxes(turn, 1, 2)
+        return total
+
     def _steps(self, width: int) -> list[int]:
         width = min(width, (len(self._path) - 1) // 2)
         return [step for step in range(-width, width + 1) if step]

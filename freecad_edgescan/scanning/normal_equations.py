@@ -58,10 +58,26 @@ def without_crowds(
     Scans crowd points where a surface bends, as on a rounding; without this those few square
     millimetres would outvote the sides.
     """
+    share = _share_of_crowds(moments[..., 0], reach, half_width, cloud_pitch)
+    return np.asarray(moments * share[..., None])
+
+
+def crowd_weights(
+    points: SectionPoints, sections: int, reach: float, half_width: float, cloud_pitch: float
+) -> np.ndarray:
+    """The weight (n,) by which the same is done to the points themselves."""
+    share = _share_of_crowds(block_counts(points, sections, reach), reach, half_width, cloud_pitch)
+    block = np.clip(block_of(points.away / reach), 0, BLOCKS - 1)
+    return np.asarray(share[points.owner, points.side, block])
+
+
+def _share_of_crowds(
+    count: np.ndarray, reach: float, half_width: float | np.ndarray, cloud_pitch: float
+) -> np.ndarray:
+    """Weight (m, 2, BLOCKS) of blocks that hold so many points."""
     width = 2.0 * np.asarray(half_width)[..., None, None]
     expected = np.diff(BLOCK_EDGES) * reach * width / cloud_pitch**2
-    count = np.maximum(moments[..., 0], 1e-9)
-    return moments * np.minimum(1.0, _CROWD * np.maximum(expected, 1.0) / count)[..., None]
+    return np.minimum(1.0, _CROWD * np.maximum(expected, 1.0) / np.maximum(count, 1e-9))
 
 
 def block_of(away: np.ndarray) -> np.ndarray:

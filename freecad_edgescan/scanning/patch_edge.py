@@ -15,18 +15,21 @@ from .corner import largest_sigma, turned_covariance
 from .edge_ends import Vertices, corners_at, vertices_of, walked_to_vertices
 from .edge_gate import EdgeGate, until
 from .edge_path import path_along
-from .edge_points import GIVEN_ENDS, Measured, measure_together
+from .edge_points import Measured, measure_together
+from .laid_again import laid_again
+from .rounded_fits import RoundedFits
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge, Vertex
 from .section import SectionPoints, frames_from_sides
 from .smoothing import smoothed
-from .stop import Stop
+from .stop import GIVEN_ENDS, Stop
 from .trace import Trace
 from .vertex import FoundVertex
 
 # Times the usual, where an end of an edge is not believed.
 _MOST_SCATTER = 4.5
 _MOST_LEVERAGE, _WILD_LEVERAGE = 4.0, 10.0
+_LAID_AGAIN = 2  # times, that sections are laid along a rounded edge once it is measured
 _NO_NOISE = 1e-3  # pitches
 
 
@@ -47,13 +50,15 @@ def finish_edge(
     settings = chosen.settings
     met = float(np.median([station.noise for station in trace.stations]))
     noise = max(met, 0.5 * settings.noise)
-    path = path_along(
-        walked_to_vertices(cloud, trace, settings),
-        settings.edge_pitch,
-        least_pitch=1.5 * settings.cloud_pitch,
-        chord_height=chosen.parameters.chord_height,
-    )
+    pitches = settings.edge_pitch, 1.5 * settings.cloud_pitch, chosen.parameters.chord_height
+    path = path_along(walked_to_vertices(cloud, trace, settings), *pitches)
     measured = measure_together(cloud, path, settings, noise)
+    for _ in range(_LAID_AGAIN):
+        if not isinstance(measured.fits, RoundedFits):
+            break
+        path = laid_again(measured, path, *pitches)
+        radius = float(np.median(measured.fits.radius)) * settings.reach
+        measured = measure_together(cloud, path, settings, noise, radius)
     if not trace.closed:
         measured = _without_unsupported_ends(measured, trace.stops, settings.cloud_pitch)
     if arrived is not None and trace.stops[1] is Stop.GATE:

@@ -103,18 +103,12 @@ class ScanLines:
 
     def reversed(self) -> ScanLines:
         """The same sections, walked the other way."""
-        fits, points = self.fits[::-1], self.points
-        # The sides' drift along the edge turns round.
-        turn = np.array([1.0, 1.0, 1.0, -1.0])
+        points = self.points
         return ScanLines(
             self.frames.backward(),
             replace(points, owner=len(self) - 1 - points.owner, along=-points.along),
             self.removed,
-            replace(
-                fits,
-                coefficients=fits.coefficients * turn,
-                inverse=fits.inverse * np.outer(turn, turn),
-            ),
+            self.fits.backward(),
             self.meeting_points[::-1],
             self.edge_points[::-1],
         )

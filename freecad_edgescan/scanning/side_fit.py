@@ -14,7 +14,8 @@ order one.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
+from typing import Any
 
 import numpy as np
 
@@ -107,8 +108,19 @@ class SideFits:
     def _arrays(self) -> dict[str, np.ndarray]:
         return {each.name: getattr(self, each.name) for each in fields(self)[1:]}
 
-    def _with(self, arrays: dict[str, np.ndarray]) -> SideFits:
-        return SideFits(self.reach, **arrays)
+    def _with(self, arrays: dict[str, Any]) -> SideFits:
+        return replace(self, **arrays)
+
+    def backward(self) -> SideFits:
+        """The same sections in the other order, walked the other way."""
+        # The sides' drift along the edge turns round.
+        turn = np.array([1.0, 1.0, 1.0, -1.0])
+        fits = self[::-1]
+        return replace(
+            fits,
+            coefficients=fits.coefficients * turn,
+            inverse=fits.inverse * np.outer(turn, turn),
+        )
 
     @property
     def begins(self) -> np.ndarray:
@@ -119,6 +131,20 @@ class SideFits:
     def ends(self) -> np.ndarray:
         """Distance from the edge where the stretch ends, (m, 2) mm."""
         return self.reach * BLOCK_EDGES[self.stretch[..., 1]]
+
+    def position_covariance(self, terms: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Covariance (m, 2, 2) of the two sides' positions at terms (m, 2, 4), in reaches².
+
+        And the part of it that comes from what neighbouring sections share: the expected
+        curvature, and what their stretches' beginnings have in common.
+        """
+        leverage = np.einsum("mki,mkij,mkj->mk", terms, self.inverse, terms)
+        # How far an error of the expected curvature moves the side.
+        moved = np.einsum("mki,mki->mk", terms, self.inverse[..., 2])
+        return tuple(
+            (self.variance * part + self.astray)[..., None] * np.eye(2)
+            for part in (leverage, moved**2 * self.expectation)
+        )
 
     def residuals(self, points: SectionPoints) -> np.ndarray:
         """Height of the points above their own side's fit, (n,) mm."""

@@ -28,3 +28,7 @@ class Stop(StrEnum):
     def __str__(self) -> str:
         """Return the short name, as in tables."""
         return self.name
+
+
+# Ends at which the sides go on.
+GIVEN_ENDS = (Stop.START, Stop.GATE, Stop.CLOSED, Stop.CANCELLED)

@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Both sides of an edge fitted together with the rounding between them.
+
+Where a rounding is wide beside its sides, or the noise hides where it begins, sides fitted by
+themselves take a part of it for their own and turn towards it, and the edge, over which they are
+drawn out, moves by many times the noise. Fitted together, the sides, the rounding and where it
+begins are one question with one answer (`rounded_rows`):
+
+1. a first radius, the best of a row of them;
+2. where the sides end: a far end that bends away is the next rounding;
+3. what neighbouring sections agree on: both curvatures and the radius (`agreed_shape`);
+4. each section by itself, with these expected.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .edge_path import EdgePath
+from .normal_equations import BLOCK_EDGES
+from .patch_section import PatchSettings
+from .radius_search import Settled, of_some_radii, settled, some_radii
+from .rounded_ends import even_stretch, without_far_ends
+from .rounded_fits import RoundedFits
+from .rounded_rows import Rounded, solved
+from .rounded_strip import Expected, RoundedStrip, stepped
+from .section import SectionPoints
+from .side_fit import SideFits
+from .stop import GIVEN_ENDS
+
+__all__ = ["fit_rounded"]
+
+_ROUNDS = 5
+_UNLIKELY = 0.02  # probability below which a rounding, or none, is left out of account
+_NO_CIRCLE = 2.0  # mean square of the points about a rounding, in variances, that is none
+_OF_A_CIRCLE = 5.0  # standard deviations, farther off than which is another surface
+_OF_A_SECTION = 3.5  # the same, when a section is fitted by itself
+_WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
+_THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
+
+
+def fit_rounded(
+    points: SectionPoints,
+    fits: SideFits,
+    noise: np.ndarray,
+    path: EdgePath,
+    settings: PatchSettings,
+    counted: float,
+    about: float | None = None,
+) -> tuple[RoundedFits, np.ndarray, int] | None:
+    """Fit both sides of each section and the rounding between them.
+
+    Parameters
+    ----------
+    points : of the strip along the edge, those of a rounding among them
+    fits : sides as they were fitted by themselves
+    noise : (m, 2) standard deviation of the points about these, mm
+    path : the sections
+    counted : how often sums over neighbouring sections count each point
+    about : radius of the rounding, mm, as far as it is known
+
+    Returns
+    -------
+    the fits, how many neighbours on each side each section borrowed points from (m,), and how many
+    sections on each side mostly agree on the shape; None where no circle is seen between the sides
+    """
+    strip = RoundedStrip.of(points, noise, path, settings, counted)
+    radii = some_radii(strip.pitch, None if about is None else about / strip.reach)
+    expected = Expected.nothing(len(path))
+    lasts = fits.stretch[..., 1]
+    mine = strip.within(BLOCK_EDGES[lasts])
+    seen = of_some_radii(mine, fits.coefficients, expected, lasts, radii)
+    shorter = without_far_ends(strip, seen.likeliest, expected, lasts)
+    if not np.array_equal(shorter, lasts):
+        lasts, mine = shorter, strip.within(BLOCK_EDGES[shorter])
+        seen = of_some_radii(mine, seen.sharpest.coefficients, expected, lasts, radii)
+    if seen.rounded < _UNLIKELY:
+        return None
+    mine, found = _between_even_ends(mine, seen.likeliest, expected, path)
+    if _scatter_about_circle(mine, found.model) > _NO_CIRCLE:
+        return None
+    together, borrowed = _section_by_section(mine, found, fits, lasts)
+    if seen.rounded < 1.0 - _UNLIKELY:
+        sharp = settled(mine, seen.sharpest, expected, free=False)
+        other, _ = _section_by_section(mine, sharp, fits, lasts)
+        together = together.or_else(other, 1.0 - seen.rounded)
+    return together, borrowed, found.agreeing
+
+
+def _between_even_ends(
+    strip: RoundedStrip, model: Rounded, expected: Expected, path: EdgePath
+) -> tuple[RoundedStrip, Settled]:
+    """Settle the sides and their rounding without the ends of the edge that are not like the rest.
+
+    An end that was given is none.
+    """
+    open_ends = tuple(end not in GIVEN_ENDS for end in path.ends)
+    found = settled(strip, model, expected, free=True)
+    for _ in range(_ROUNDS):
+        even = strip.between(*even_stretch(strip, found.model, open_ends))
+        if len(even.place) == len(strip.place):
+            break
+        strip = even
+        found = settled(strip, model, expected, free=True)
+    return strip, found
+
+
+def _scatter_about_circle(strip: RoundedStrip, model: Rounded) -> float:
+    """Mean square of the distances of the points from the rounding, in variances."""
+    rows, off = strip.rows(model)
+    arc = rows.on_arc & (np.abs(off) < _OF_A_CIRCLE)
+    return float(np.average(off[arc] ** 2, weights=strip.crowd[arc])) if arc.any() else np.inf
+
+
+def _section_by_section(
+    strip: RoundedStrip, found: Settled, fits: SideFits, lasts: np.ndarray
+) -> tuple[RoundedFits, np.ndarray]:
+    """Each section on its own points, and its neighbours' where these are too few."""
+    model, expected = found.model, found.expected
+    noise = strip.noise.mean(axis=1)
+    for _ in range(2):
+        own, mean = strip.summed(model, _OF_A_SECTION), expected.of_change(model.radius)
+        unknown, covariance = solved(own, mean, expected.precision)
+        borrowed = np.zeros(len(own))
+        for width in _WIDER:
+            extrapolated = np.maximum(covariance[:, 0, 0], covariance[:, 4, 4])
+            thin = extrapolated > _THIN * noise**2
+            if not thin.any() or width >= len(own) // 2:
+                break
+            more = solved(strip.pooled(own, width), mean, expected.precision)
+            unknown[thin], covariance[thin] = more[0][thin], more[1][thin]
+            borrowed[thin] = width
+        model = stepped(strip, model, unknown)
+    rows, off = strip.rows(model)
+    both = np.stack([covariance[:, :4, :4], covariance[:, 4:8, 4:8]], axis=1)
+    used = (np.abs(off) < _OF_A_SECTION) & ~rows.on_arc
+    bins = (strip.points.owner * 2 + strip.points.side)[used]
+    count = np.bincount(bins, minlength=lasts.size).reshape(-1, 2).astype(float)
+    firsts = np.searchsorted(BLOCK_EDGES, np.clip(rows.begins, 0.0, None))
+    firsts = np.minimum(firsts, lasts - 1)
+    variance = np.square(strip.noise)
+    return (
+        RoundedFits(
+            reach=strip.reach,
+            coefficients=model.coefficients,
+            inverse=both / variance[..., None, None],
+            variance=variance,
+            count=count,
+            stretch=np.stack([firsts, lasts], axis=-1),
+            accepted=fits.accepted,
+            astray=np.zeros_like(variance),
+            expectation=fits.expectation,
+            radius=model.radius,
+            joint=covariance,
+            joint_shared=expected.shared(covariance),
+        ),
+        borrowed,
+    )

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Sides fitted together with the rounding between them, where they tell little by themselves."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from freecad_edgescan.cloud import PointCloud
+from freecad_edgescan.scanning import scan_edge
+from freecad_edgescan.scanning.rounded_fits import RoundedFits
+
+PITCH = 0.5
+
+
+def scans(wedge, count=5, **shape):
+    """Parts of one shape with other points, and their scanned edges."""
+    parts = [wedge(length=18.0, seed=seed, **shape) for seed in range(count)]
+    return [(part, scan_edge(part.cloud, part.at(0.1, 0.3))) for part in parts]
+
+
+NARROW = [(90, 2.0, 5.5), (115, 2.5, 5.1)]
+
+
+@pytest.mark.parametrize(("degrees", "rounding", "width"), NARROW)
+def test_a_rounding_half_as_wide_as_its_sides_in_much_noise_is_no_part_of_them(
+    wedge, sigmas_away, degrees, rounding, width
+):
+    """Sides of 7 pitches beside a rounding of 4 to 5, noise of 0.3 pitches."""
+    found = scans(wedge, degrees=degrees, rounding=rounding, width=width, noise=0.3 * PITCH)
+    off = [np.sqrt(np.mean(sigmas_away(part, edge) ** 2)) for part, edge in found]
+    assert np.median(off) < 2.0
+    assert max(off) < 3.0
+    errors = [np.sqrt(np.mean(part.distance(edge.points) ** 2)) for part, edge in found]
+    assert np.median(errors) < 0.4 * PITCH
+    angles = [np.median(edge.angle) for _, edge in found]
+    assert np.median(angles) == pytest.approx(np.radians(degrees), abs=0.1)
+    radii = [np.nanmedian(edge.fillet_radius) for _, edge in found]
+    assert np.median(radii) == pytest.approx(rounding, rel=0.1)
+
+
+def test_radii_are_off_by_what_is_stated(wedge):
+    off = [
+        (np.median(edge.fillet_radius) - 1.5) / np.median(edge.fillet_sigma)
+        for _, edge in scans(wedge, count=10, degrees=90, rounding=1.5, noise=0.1)
+    ]
+    assert 0.5 < np.sqrt(np.mean(np.square(off))) < 2.0
+
+
+def test_sides_without_a_rounding_are_fitted_by_themselves(wedge):
+    for part, edge in scans(wedge, count=3, degrees=90, noise=0.1):
+        assert not isinstance(edge.scan_lines.fits, RoundedFits)
+        assert part.distance(edge.points).max() < 0.2
+
+
+def chamfered(width, noise, seed=0):
+    """Two planes at 90° whose edge, the x axis, is cut off by a third of a width."""
+    rng = np.random.default_rng(seed)
+    leg = width / np.sqrt(2.0)
+    along, across = (rng.uniform(*span, 9000) for span in ((-12.0, 12.0), (leg, 12.0)))
+    cut = rng.uniform(0.0, leg, 1200)
+    planes = np.array([[0.0, -1.0, 0.0], [0.0, 0.0, -1.0]])
+    parts = [
+        np.array([1.0, 0.0, 0.0]) * along[k::2, None] + planes[k] * across[k::2, None]
+        for k in range(2)
+    ]
+    parts.append(np.column_stack([rng.uniform(-12.0, 12.0, 1200), -cut, cut - leg]))
+    out = [planes[1] * -1.0, planes[0] * -1.0, np.array([0.0, 1.0, 1.0]) / np.sqrt(2.0)]
+    points = np.vstack(
+        [
+            part + noise * rng.normal(size=len(part))[:, None] * n
+            for part, n in zip(parts, out, strict=True)
+        ]
+    )
+    return PointCloud(points)
+
+
+def test_a_chamfer_is_no_rounding():
+    edge = scan_edge(chamfered(1.5, 0.02), at=(0.3, 0.2, 0.2))
+    assert not isinstance(edge.scan_lines.fits, RoundedFits)
+
+
+def test_a_reversed_edge_has_the_same_covariance_of_its_sides_positions(wedge):
+    part = wedge(degrees=100, rounding=1.5, noise=0.05, length=18.0)
+    fits = scan_edge(part.cloud, part.at(0.1, 0.3)).scan_lines.fits
+    assert isinstance(fits, RoundedFits)
+    terms = np.random.default_rng(0).normal(size=(len(fits.radius), 2, 4))
+    turn = np.array([1.0, 1.0, 1.0, -1.0])
+    here, there = (
+        each.position_covariance(place)[0]
+        for each, place in ((fits, terms), (fits.backward(), (terms * turn)[::-1]))
+    )
+    assert there[::-1] == pytest.approx(here)
+
+
+def test_one_of_two_cases_is_known_as_badly_as_they_differ(wedge):
+    part = wedge(degrees=100, rounding=1.5, noise=0.05, length=18.0)
+    fits = scan_edge(part.cloud, part.at(0.1, 0.3)).scan_lines.fits
+    same = fits.or_else(fits, 0.3)
+    assert same.joint == pytest.approx(fits.joint)
+    apart = replace(fits, coefficients=fits.coefficients + np.array([0.02, 0.0, 0.0, 0.0]))
+    either = fits.or_else(apart, 0.5)
+    # Half of the cases lie 0.01 to each side of the mean.
+    assert either.joint[:, 0, 0] == pytest.approx(fits.joint[:, 0, 0] + 0.01**2)
+    assert either.joint[:, 0, 4] == pytest.approx(fits.joint[:, 0, 4] + 0.01**2)
+    assert either.coefficients[..., 0] == pytest.approx(fits.coefficients[..., 0] + 0.01)
