@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners, largest_sigma
@@ -122,16 +123,19 @@ class PatchSection:
 
     def slab(self, frames: Frames, half_width: np.ndarray) -> SectionPoints:
         """Points within the reach of sections and half a width (m,) along the edge."""
-        reach = self.settings.reach
-        radius = np.hypot(reach, half_width) * 1.05
-        balls = self.cloud.tree.query_ball_point(frames.origin, radius, return_sorted=False)
-        index = np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls])
-        owner = np.repeat(np.arange(len(frames)), [len(ball) for ball in balls])
-        points = self.cloud.points[index]
-        ahead = np.einsum("ni,ni->n", points - frames.origin[owner], frames.tangent[owner])
+        radius = np.hypot(self.settings.reach, half_width) * 1.05
+        # Both trees are gone through together, and what they have in common comes as arrays.
+        pairs = cKDTree(frames.origin).sparse_distance_matrix(
+            self.cloud.tree, radius.max(), output_type="ndarray"
+        )
+        index, owner = pairs["j"], pairs["i"]
+        points = self.cloud.points.take(index, axis=0)
+        offset = points - frames.origin.take(owner, axis=0)
+        ahead = np.einsum("ni,ni->n", offset, frames.tangent.take(owner, axis=0))
         # Inside of a bend a narrow slab of points fans out to twice its width.
-        near = np.abs(ahead) <= 2.0 * half_width[owner]
-        found = section_points(frames, owner[near], index[near], points[near])
+        near = np.abs(ahead) <= 2.0 * half_width.take(owner)
+        near = np.flatnonzero(near & (pairs["v"] <= radius.take(owner)))
+        found = section_points(frames, owner[near], index[near], points.take(near, axis=0))
         return found[np.abs(found.along) <= half_width[found.owner]]
 
     def _measure_once(self, frames: Frames, half_width: np.ndarray) -> list[Station]:
