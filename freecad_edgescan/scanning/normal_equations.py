@@ -96,9 +96,12 @@ def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
 
 
 def moved_moments(summed: np.ndarray, moves: np.ndarray) -> np.ndarray:
-    """Normal equations (…, 15) in other terms: moves (…, 5, 5) times (1, s, q, u, n)."""
-    moved = moves @ summed[..., _SQUARE] @ np.swapaxes(moves, -1, -2)
-    return np.asarray(moved[..., _PAIRS[0], _PAIRS[1]])
+    """Normal equations (…, b, 15) in other terms: moves (…, 5, 5) times (1, s, q, u, n)."""
+    # The first term, the block, the second term: one product for all blocks moves a term.
+    full = np.swapaxes(summed.take(_SQUARE, axis=-1), -3, -2)
+    moved = moves @ full.reshape(*moves.shape[:-1], -1)
+    moved = moved.reshape(*moves.shape[:-2], -1, _TERMS + 1) @ np.swapaxes(moves, -1, -2)
+    return np.swapaxes(moved.reshape(full.shape), -3, -2)[..., _PAIRS[0], _PAIRS[1]]
 
 
 def solve(

@@ -135,6 +135,8 @@ class PatchSection:
         # Inside of a bend a narrow slab of points fans out to twice its width.
         near = np.abs(ahead) <= 2.0 * half_width.take(owner)
         near = np.flatnonzero(near & (pairs["v"] <= radius.take(owner)))
+        # In an order that does not depend on which sections are measured together.
+        near = near[np.argsort(index[near])]
         found = section_points(frames, owner[near], index[near], points.take(near, axis=0))
         return found[np.abs(found.along) <= half_width[found.owner]]
 

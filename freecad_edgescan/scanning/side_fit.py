@@ -14,6 +14,7 @@ order one.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -85,6 +86,14 @@ class SideFits:
     def __getitem__(self, part: slice) -> SideFits:
         """Return the fits of some sections; a negative step puts them into the other order."""
         return self._with({name: array[part] for name, array in self._arrays().items()})
+
+    @staticmethod
+    def join(parts: Sequence[SideFits]) -> SideFits:
+        """Put the fits of sections behind each other."""
+        names = parts[0]._arrays()
+        return parts[0]._with(
+            {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
+        )
 
     def or_where(self, chosen: np.ndarray, other: SideFits) -> SideFits:
         """These fits, and another's where chosen (m, 2)."""
