@@ -257,11 +257,13 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
         if end in GIVEN_ENDS:
             continue
         near = points.away < (_NEAR_END * cloud_pitch if end is Stop.CORNER else np.inf)
-        sides = [np.sort(place[near & (points.side == side)]) for side in range(2)]
+        sides = [place[near & (points.side == side)] for side in range(2)]
         if min(len(side) for side in sides) < 10:
             continue
         # Not the outermost points of all: one may be an outlier.
-        extent[k] = min(s[-3] for s in sides) if k else max(s[2] for s in sides)
+        third = -3 if k else 2
+        ends = [float(np.partition(side, third)[third]) for side in sides]
+        extent[k] = min(ends) if k else max(ends)
     return extent[0], extent[1]
 
 
