@@ -9,7 +9,7 @@ two surfaces of a swept part do not change with u, so a wide slab of points shar
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -61,7 +61,10 @@ class Frames:
 
     def backward(self) -> Frames:
         """The same sections in the other order, walked the other way."""
-        return replace(self[::-1], tangent=-self.tangent[::-1])
+        there = self[::-1]
+        return Frames(
+            there.origin, -there.tangent, there.sides, there.normals, there.bend, there.curvature
+        )
 
     def replaced(self, rows: np.ndarray, others: Frames) -> Frames:
         """These sections, and others (k) in some rows: (k,) indices."""
