@@ -164,7 +164,7 @@ class PatchSection:
         fits = self._fit(frames, kept, half_width)
         residual = fits.residuals(kept)
         limit = 3.5 * np.maximum(np.sqrt(fits.variance) * settings.reach, settings.noise)
-        inliers = np.abs(residual) <= limit[kept.owner, kept.side]
+        inliers = np.abs(residual) <= kept.of_their_sides(limit)
         if not np.all(inliers):
             fits = self._fitted_again(frames, kept, inliers, fits, half_width)
             kept = kept[inliers]
@@ -231,10 +231,11 @@ class PatchSection:
         """
         half = corner.half_angle
         rounded = gap_under_rounding(fits.begins.max(axis=1), half)
-        away = self.cloud.points[points.index] - corner.point[points.owner]
-        near = np.full(len(half), np.inf)
-        np.minimum.at(near, points.owner, np.einsum("ni,ni->n", away, away))
-        return np.sqrt(near) > 1.3 * rounded + _HANGING * self.settings.cloud_pitch
+        farthest = 1.3 * rounded + _HANGING * self.settings.cloud_pitch
+        away = self.cloud.points.take(points.index, axis=0)
+        away -= corner.point.take(points.owner, axis=0)
+        near = np.einsum("ni,ni->n", away, away) <= np.square(farthest).take(points.owner)
+        return np.bincount(points.owner[near], minlength=len(half)) == 0
 
     def _fit(
         self,
@@ -275,7 +276,7 @@ class PatchSection:
 
     def _plausible(self, frame: Frames, points: SectionPoints) -> np.ndarray:
         """Points near enough to the surface that the prediction expects."""
-        expected = 0.5 * frame.curvature[points.owner, points.side] * points.away**2
+        expected = 0.5 * points.of_their_sides(frame.curvature) * points.away**2
         allowed = 4.0 * self.settings.noise + 0.5 * self.settings.cloud_pitch + 0.15 * points.away
         begins = frame.rolled_over(self.settings.probe_radius)[points.owner]
         return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
@@ -288,7 +289,7 @@ def _cover(points: SectionPoints, fits: SideFits) -> np.ndarray:
     counts for less. What is left out next to the edge may well be a rounding and does not count.
     """
     extent = np.full(fits.count.shape, 1e-12)
-    np.maximum.at(extent, (points.owner, points.side), points.away)
+    np.maximum.at(extent.reshape(-1), 2 * points.owner + points.side, points.away)
     curl = fits.coefficients[..., 2] * fits.ends / fits.reach
     share = np.minimum(fits.ends / extent, 1.0) / (1.0 + curl**2)
     return np.asarray(np.where(fits.accepted, share, 0.6 * share).min(axis=1))

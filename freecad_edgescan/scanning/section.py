@@ -149,6 +149,11 @@ class SectionPoints:
             self.height.take(rows),
         )
 
+    def of_their_sides(self, values: np.ndarray) -> np.ndarray:
+        """Values (m, 2, …) of the sections' sides at each point, (n, …): those of its own side."""
+        flat = values.reshape(-1, *values.shape[2:])
+        return flat.take(2 * self.owner + self.side, axis=0)
+
 
 def unrolled(
     frames: Frames, owner: np.ndarray, points: np.ndarray

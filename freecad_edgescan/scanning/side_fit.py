@@ -131,7 +131,7 @@ class SideFits:
 
     def residuals(self, points: SectionPoints) -> np.ndarray:
         """Height of the points above their own side's fit, (n,) mm."""
-        c = self.coefficients[points.owner, points.side]
+        c = points.of_their_sides(self.coefficients)
         away, height, along = (
             value / self.reach for value in (points.away, points.height, points.along)
         )
