@@ -239,7 +239,7 @@ def _plausible(
 
     The share is that of what is allowed besides noise.
     """
-    expected = 0.5 * frames.curvature[points.owner, points.side] * points.away**2
+    expected = 0.5 * points.of_their_sides(frames.curvature) * points.away**2
     allowed = 4.0 * noise + share * (0.5 * settings.cloud_pitch + 0.1 * points.away)
     begins = frames.rolled_over(settings.probe_radius)[points.owner]
     return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
@@ -268,6 +268,6 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
 
 
 def _in_stretch(points: SectionPoints, fits: SideFits) -> np.ndarray:
-    begins = fits.begins[points.owner, points.side]
-    ends = fits.ends[points.owner, points.side]
+    begins = points.of_their_sides(fits.begins)
+    ends = points.of_their_sides(fits.ends)
     return (points.away >= begins) & (points.away < ends)

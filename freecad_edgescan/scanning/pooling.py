@@ -54,7 +54,7 @@ def cleaned(
     removed = np.zeros(len(points.index), dtype=bool)
     for stride in _STRIDES[1:]:
         limit = 3.5 * np.maximum(np.sqrt(pooled.variance) * pooled.reach, 0.5 * noise)
-        removed = np.abs(pooled.residuals(points)) > limit[points.owner, points.side]
+        removed = np.abs(pooled.residuals(points)) > points.of_their_sides(limit)
         lost, left = (
             _pool(block_counts(points[part], len(path), pooled.reach).astype(float), path)
             for part in (removed, ~removed)
