@@ -35,7 +35,8 @@ def strip_points(
         near[ball] = True
     index = _each_place_once(cloud.points, np.flatnonzero(near))
     points = cloud.points.take(index, axis=0)
-    _, nearest = cKDTree(frames.origin).query(points)
+    # No point is farther than that; to know it spares the search some nodes.
+    _, nearest = cKDTree(frames.origin).query(points, distance_upper_bound=1.01 * radius)
     offset = points - frames.origin.take(nearest, axis=0)
     ahead = np.einsum("ni,ni->n", offset, frames.tangent.take(nearest, axis=0))
     neighbours = int(np.ceil(half_width / max(float(np.diff(path.at).min()), 1e-3 * spacing) + 0.5))
