@@ -26,6 +26,7 @@ from .stop import Stop
 _REMEASURE_TURN = 0.06
 _MEASUREMENTS = 3
 _MOST_BENT = 0.4  # rad, turn of the edge within half a slab
+_ARC = np.tan(_MOST_BENT) / _MOST_BENT
 _MOST_SCATTER = 5.0  # times the noise, of the better side, at which it is no side any more
 _ENDING = 6.0  # pitches round the last edge point in which to see why a walk ended
 _HANGING = 3.0  # pitches: what an edge point may be off the nearest point besides a rounding
@@ -132,8 +133,9 @@ class PatchSection:
         points = self.cloud.points.take(index, axis=0)
         offset = points - frames.origin.take(owner, axis=0)
         ahead = np.einsum("ni,ni->n", offset, frames.tangent.take(owner, axis=0))
-        # Inside of a bend a narrow slab of points fans out to twice its width.
-        near = np.abs(ahead) <= 2.0 * half_width.take(owner)
+        # Outside of a bend a narrow slab of points fans out, up to twice its width.
+        fanned = _ARC * (1.0 + np.linalg.norm(frames.bend, axis=1) * radius)
+        near = np.abs(ahead) <= (half_width * np.minimum(fanned, 2.0)).take(owner)
         near = np.flatnonzero(near & (pairs["v"] <= radius.take(owner)))
         # In an order that does not depend on which sections are measured together.
         near = near[np.argsort(index[near])]
