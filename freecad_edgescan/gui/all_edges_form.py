@@ -9,20 +9,19 @@ from typing import Any
 
 from freecad_edgescan.scanning.edge_choice import EdgeChoice
 
-from .icons import icon_path
-from .qt import QtCore, QtGui, QtWidgets
+from .qt import QtCore, QtWidgets
 from .quantities import LengthBox, length_text
+from .sentence_form import SentenceForm
 from .translation import translate
 
 __all__ = ["AllEdgesForm"]
 
-_LINES = 3  # that a sentence may take before what is below moves
 _NARROW = 80  # pixels
 _STEPS = 1000  # of the bar
 _SMALLEST_TURN, _LARGEST_TURN = 3.0, 175.0  # degrees
 
 
-class AllEdgesForm(QtWidgets.QWidget):
+class AllEdgesForm(SentenceForm):
     """The widget inside the task panel; it decides nothing.
 
     Attributes
@@ -39,16 +38,8 @@ class AllEdgesForm(QtWidgets.QWidget):
     filters_changed = QtCore.Signal()
 
     def __init__(self, title: str, editing: bool) -> None:
-        super().__init__()
-        self.setWindowTitle(title)
-        self.setWindowIcon(QtGui.QIcon(icon_path("EdgeScan_ScanAllEdges")))
+        super().__init__(title, "EdgeScan_ScanAllEdges", lines=3)
         self._choice = EdgeChoice()
-        self._sentence = _wrapped()
-        self._sentence.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing())
-        self._sentence.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
-        bold = self._sentence.font()
-        bold.setBold(True)
-        self._sentence.setFont(bold)
         self._bar = QtWidgets.QProgressBar()
         self._bar.setRange(0, _STEPS)
         self.stop = QtWidgets.QPushButton(translate("Stop here"))
@@ -67,17 +58,14 @@ class AllEdgesForm(QtWidgets.QWidget):
         self.forget = QtWidgets.QPushButton(translate("Forget clicks"))
         self.forget.setToolTip(translate("Let length, turn and sigma alone decide again"))
         self._shown = _wrapped()
-        column = QtWidgets.QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 6)
-        for widget in (self._sentence, self._running, self.again, self._figures):
-            column.addWidget(widget)
-        column.addWidget(self._filters())
-        for widget in (self._edge, self.forget):
-            column.addWidget(widget)
+        self.column.setContentsMargins(6, 6, 6, 6)
+        above = (self._running, self.again, self._figures)
+        for widget in (*above, self._filters(), self._edge, self.forget):
+            self.column.addWidget(widget)
         if not editing:
-            column.addLayout(self._kinds())
-        column.addWidget(self._shown)
-        column.addStretch()
+            self.column.addLayout(self._kinds())
+        self.column.addWidget(self._shown)
+        self.column.addStretch()
         self.show_progress(False)
         self.show_again(False)
         self.show_counts(0, 0, 0.0)
@@ -132,11 +120,6 @@ class AllEdgesForm(QtWidgets.QWidget):
         return rows
 
     @property
-    def sentence(self) -> str:
-        """What the user is told at the top."""
-        return str(self._sentence.text())
-
-    @property
     def figures(self) -> str:
         """How many edges are kept."""
         return str(self._figures.text())
@@ -184,10 +167,6 @@ class AllEdgesForm(QtWidgets.QWidget):
         clicked = len(choice.dropped) + len(choice.kept)
         self.forget.setVisible(clicked > 0)
         self.forget.setText(translate("Forget clicks ({count})").format(count=clicked))
-
-    def say(self, sentence: str) -> None:
-        """Tell the user what to do now, or what went wrong."""
-        self._sentence.setText(sentence)
 
     def show_progress(self, running: bool) -> None:
         """Show or hide how far a search is and the stop button."""

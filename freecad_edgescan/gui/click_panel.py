@@ -16,10 +16,10 @@ from freecad_edgescan.scanning import SoFar
 from .clicked_cloud import Picked
 from .cloud_panel import CloudPanel
 from .edge_preview import EdgePreview
-from .icons import icon_path
 from .live_edge import LiveEdge
 from .picking import Array
-from .qt import QtGui, QtWidgets
+from .qt import QtWidgets
+from .sentence_form import SentenceForm
 from .translation import translate
 
 __all__ = ["ClickPanel"]
@@ -160,39 +160,21 @@ class ClickPanel(CloudPanel):
         self.allow_ok()
 
 
-class _ClickForm(QtWidgets.QWidget):
+class _ClickForm(SentenceForm):
     """The widget inside the panel: a sentence and the answer."""
 
     def __init__(self, title: str, icon: str) -> None:
-        super().__init__()
-        self.setWindowTitle(title)
-        self.setWindowIcon(QtGui.QIcon(icon_path(icon)))
-        self._sentence = QtWidgets.QLabel()
-        self._sentence.setWordWrap(True)
-        bold = self._sentence.font()
-        bold.setBold(True)
-        self._sentence.setFont(bold)
+        super().__init__(title, icon)
         self._text = QtWidgets.QTextEdit()
         self._text.setReadOnly(True)
-        column = QtWidgets.QVBoxLayout(self)
-        column.addWidget(self._sentence)
-        column.addWidget(self._text)
-        column.addStretch()
+        self.column.addWidget(self._text)
+        self.column.addStretch()
         self.show_text("")
-
-    @property
-    def sentence(self) -> str:
-        """What the user is told at the top."""
-        return str(self._sentence.text())
 
     @property
     def text(self) -> str:
         """The answer that is shown."""
         return str(self._text.toPlainText())
-
-    def say(self, sentence: str) -> None:
-        """Tell the user what to do now, or what went wrong."""
-        self._sentence.setText(sentence)
 
     def show_text(self, text: str) -> None:
         """Show the answer, or hide the field when there is none."""

@@ -10,21 +10,20 @@ import numpy as np
 from freecad_edgescan.scanning import ScannedEdge
 
 from .evidence_form import EvidenceForm
-from .icons import icon_path
 from .parameter_form import ParameterForm
 from .picked_places import Way
-from .qt import QtCore, QtGui, QtWidgets
+from .qt import QtCore, QtWidgets
 from .quantities import angle_text, length_text
+from .sentence_form import SentenceForm
 from .translation import translate
 from .view_form import ViewForm
 
 __all__ = ["ScanEdgeForm"]
 
 _TAB_FONT = 0.88  # of the window's: all tabs are to be seen in a narrow dock
-_LINES = 3  # that a sentence may take before what is below moves
 
 
-class ScanEdgeForm(QtWidgets.QWidget):
+class ScanEdgeForm(SentenceForm):
     """The widget inside the task panel; it decides nothing.
 
     Attributes
@@ -40,16 +39,7 @@ class ScanEdgeForm(QtWidgets.QWidget):
     way_changed = QtCore.Signal()
 
     def __init__(self, title: str) -> None:
-        super().__init__()
-        self.setWindowTitle(title)
-        self.setWindowIcon(QtGui.QIcon(icon_path("EdgeScan_ScanEdge")))
-        self._sentence = QtWidgets.QLabel()
-        self._sentence.setWordWrap(True)
-        self._sentence.setMinimumHeight(_LINES * self.fontMetrics().lineSpacing())
-        self._sentence.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
-        bold = self._sentence.font()
-        bold.setBold(True)
-        self._sentence.setFont(bold)
+        super().__init__(title, "EdgeScan_ScanEdge", lines=3)
         self._way = QtWidgets.QComboBox()
         self._way.addItem(translate("One click: the whole edge"), Way.WHOLE_EDGE.name)
         self._way.addItem(translate("Two clicks: edge and gate"), Way.TO_A_GATE.name)
@@ -95,18 +85,12 @@ class ScanEdgeForm(QtWidgets.QWidget):
         self.tabs.addTab(self.evidence, translate("Section"))
         self.tabs.addTab(_scrolling(self.parameters), translate("Parameters"))
         self.tabs.addTab(self.view, translate("View"))
-        column = QtWidgets.QVBoxLayout(self)
-        column.setContentsMargins(4, 4, 4, 4)
-        for widget in (self._sentence, self._way, self._running, self._result):
-            column.addWidget(widget)
-        column.addWidget(self.tabs, 1)
+        self.column.setContentsMargins(4, 4, 4, 4)
+        for widget in (self._way, self._running, self._result):
+            self.column.addWidget(widget)
+        self.column.addWidget(self.tabs, 1)
         self.show_progress(False)
         self.show_edge(None)
-
-    @property
-    def sentence(self) -> str:
-        """What the user is told at the top."""
-        return str(self._sentence.text())
 
     @property
     def figures(self) -> str:
@@ -121,10 +105,6 @@ class ScanEdgeForm(QtWidgets.QWidget):
     def choose_way(self, way: Way) -> None:
         """Let the clicks stand for something else."""
         self._way.setCurrentIndex(list(Way).index(way))
-
-    def say(self, sentence: str) -> None:
-        """Tell the user what to do now, or what went wrong."""
-        self._sentence.setText(sentence)
 
     def show_progress(self, running: bool) -> None:
         """Show or hide how far a scan is and the stop button."""

@@ -291,7 +291,7 @@ def _plausible(
 
     The share is that of what is allowed besides noise.
     """
-    expected = 0.5 * frames.curvature[points.owner, points.side] * points.away**2
+    expected = 0.5 * points.of_their_sides(frames.curvature) * points.away**2
     allowed = 4.0 * noise + share * (0.5 * settings.cloud_pitch + 0.1 * points.away)
     begins = frames.rolled_over(settings.probe_radius)[points.owner]
     return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
@@ -309,15 +309,17 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
         if end in GIVEN_ENDS:
             continue
         near = points.away < (_NEAR_END * cloud_pitch if end is Stop.CORNER else np.inf)
-        sides = [np.sort(place[near & (points.side == side)]) for side in range(2)]
+        sides = [place[near & (points.side == side)] for side in range(2)]
         if min(len(side) for side in sides) < 10:
             continue
         # Not the outermost points of all: one may be an outlier.
-        extent[k] = min(s[-3] for s in sides) if k else max(s[2] for s in sides)
+        third = -3 if k else 2
+        ends = [float(np.partition(side, third)[third]) for side in sides]
+        extent[k] = min(ends) if k else max(ends)
     return extent[0], extent[1]
 
 
 def _in_stretch(points: SectionPoints, fits: SideFits) -> np.ndarray:
-    begins = fits.begins[points.owner, points.side]
-    ends = fits.ends[points.owner, points.side]
+    begins = points.of_their_sides(fits.begins)
+    ends = points.of_their_sides(fits.ends)
     return (points.away >= begins) & (points.away < ends)

@@ -129,15 +129,16 @@ def predict(frame: Frames, step: float | np.ndarray) -> Frames:
     tangent, bend = frame.tangent, frame.bend
     step = np.reshape(step, (-1, 1))
     kappa = np.sqrt(np.einsum("mi,mi->m", bend, bend))[:, None]
-    half = np.sinc(0.5 * step * kappa / np.pi)
-    cosine, sine = np.cos(step * kappa), step * np.sinc(step * kappa / np.pi)
+    # The angle travelled; of both signs alike, and where the edge is straight sin x / x is one.
+    angle = np.maximum(np.abs(step) * kappa, 1e-300)
+    cosine, sine = np.cos(angle), step * (np.sin(angle) / angle)
+    half = np.sin(0.5 * angle) / (0.5 * angle)
     origin = frame.origin + sine * tangent + 0.5 * np.square(step * half) * bend
     ahead = cosine * tangent + sine * bend
     onward = cosine * bend - kappa**2 * sine * tangent
-    tangent = np.broadcast_to(tangent, ahead.shape)
-    sides = np.broadcast_to(frame.sides, (len(ahead), 2, 3))
+    sides = turned_along(frame.sides, tangent, ahead)
     curvature = np.broadcast_to(frame.curvature, (len(ahead), 2))
-    return frames_from_sides(origin, ahead, turned_along(sides, tangent, ahead), onward, curvature)
+    return frames_from_sides(origin, ahead, sides, onward, curvature)
 
 
 def _round_a_bend(

@@ -44,8 +44,8 @@ class Neighbours:
         """
         which = np.arange(len(own)) if rows is None else rows
         theirs = own[(which + step) % len(own)]
-        between = (None,) * (own.ndim - 3)
-        return moved_moments(theirs, self._moves(step)[which][(slice(None), slice(None), *between)])
+        blocks = theirs.reshape(*theirs.shape[:2], -1, theirs.shape[-1])
+        return moved_moments(blocks, self._moves(step)[which]).reshape(theirs.shape)
 
     def pooled(self, own: np.ndarray, width: int, rows: np.ndarray | None = None) -> np.ndarray:
         """Sum of a section's own normal equations and its neighbours' on each side."""
@@ -57,7 +57,7 @@ class Neighbours:
         total = sum_stretches(own, stretch)
         for step in self._steps(width):
             theirs = sum_stretches(np.roll(own, -step, axis=0), stretch)
-            total = total + moved_moments(theirs, self._moves(step))
+            total = total + moved_moments(theirs[:, :, None], self._moves(step))[:, :, 0]
         return total
 
     def pooled_pairs(self, own: np.ndarray, width: int) -> np.ndarray:

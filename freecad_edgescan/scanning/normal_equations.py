@@ -99,9 +99,9 @@ def sums_of_terms(moments: np.ndarray) -> np.ndarray:
 
 
 def square_forms(matrices: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-    """Values vᵀ M v (…, k, b) of symmetric matrices (…, k, 4, 4) and vectors (…, b, 4)."""
+    """Values vᵀ M v (…, b, k) of symmetric matrices (…, k, 4, 4) and vectors (…, b, 4)."""
     products = vectors[..., _TERM_PAIRS[0]] * vectors[..., _TERM_PAIRS[1]] * _TIMES
-    return np.asarray(matrices[..., _TERM_PAIRS[0], _TERM_PAIRS[1]] @ np.swapaxes(products, -1, -2))
+    return np.asarray(products @ np.swapaxes(matrices[..., _TERM_PAIRS[0], _TERM_PAIRS[1]], -1, -2))
 
 
 def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
@@ -112,14 +112,17 @@ def sum_stretches(moments: np.ndarray, stretch: np.ndarray) -> np.ndarray:
 
 
 def moved_moments(summed: np.ndarray, moves: np.ndarray) -> np.ndarray:
-    """Normal equations (…, 15) in other terms: moves (…, 5, 5) times (1, s, q, u, n)."""
-    moved = moves @ summed[..., _SQUARE] @ np.swapaxes(moves, -1, -2)
-    return np.asarray(moved[..., _PAIRS[0], _PAIRS[1]])
+    """Normal equations (…, b, 15) in other terms: moves (…, 5, 5) times (1, s, q, u, n)."""
+    # The first term, the block, the second term: one product for all blocks moves a term.
+    full = np.swapaxes(summed.take(_SQUARE, axis=-1), -3, -2)
+    moved = moves @ full.reshape(*moves.shape[:-1], -1)
+    moved = moved.reshape(*moves.shape[:-2], -1, _TERMS + 1) @ np.swapaxes(moves, -1, -2)
+    return np.swapaxes(moved.reshape(full.shape), -3, -2)[..., _PAIRS[0], _PAIRS[1]]
 
 
 def solve(
     summed: np.ndarray,
-    variance: np.ndarray,
+    variance: float | np.ndarray,
     curvature: np.ndarray,
     curvature_sigma: float | np.ndarray,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
@@ -128,35 +131,40 @@ def solve(
     Parameters
     ----------
     summed : (…, 15) normal equations
-    variance : (…) of the points, in units of reach²
-    curvature, curvature_sigma : expected curvature and its sigma, times reach
+    variance : of the points, in units of reach², one or (…)
+    curvature, curvature_sigma : expected curvature and its sigma, times reach, (…) or one
     """
-    full = summed[..., _SQUARE]
-    normal, right = full[..., :_TERMS, :_TERMS], full[..., :_TERMS, _TERMS]
-    weight = np.empty((*normal.shape[:-2], _TERMS))
-    weight[:] = variance[..., None] / PRIOR_SIGMA**2
-    weight[..., 2] = variance / np.square(curvature_sigma)
-    weight = np.maximum(weight, 1e-12)
-    normal[..., _DIAGONAL, _DIAGONAL] += weight
+    # Terms first, so that what is done with one of them is done with neighbours in memory.
+    full = np.moveaxis(summed, -1, 0)[_SQUARE]
+    normal, right = full[:_TERMS, :_TERMS], full[:_TERMS, _TERMS]
+    weight = np.empty(right.shape)
+    for term, sigma in enumerate((*PRIOR_SIGMA[:2], curvature_sigma, PRIOR_SIGMA[3])):
+        weight[term] = np.maximum(variance / np.square(sigma), 1e-12)
+    normal[_DIAGONAL, _DIAGONAL] += weight
     inverse = _inverse(normal)
     pulled = right.copy()
-    pulled[..., 2] += weight[..., 2] * curvature
-    coefficients = (inverse @ pulled[..., None])[..., 0]
+    pulled[2] += weight[2] * curvature
+    coefficients = np.einsum("ij...,j...->i...", inverse, pulled)
     # Of the sum of squares, what the expectation has taken is left to the points.
     pull = -weight * coefficients
-    pull[..., 2] += weight[..., 2] * curvature
-    misfit = full[..., _TERMS, _TERMS] - np.sum(coefficients * (right - pull), axis=-1)
-    return coefficients, inverse, np.maximum(misfit, 0.0), summed[..., 0]
+    pull[2] += weight[2] * curvature
+    misfit = full[_TERMS, _TERMS] - np.sum(coefficients * (right - pull), axis=0)
+    return (
+        np.moveaxis(coefficients, 0, -1),
+        np.moveaxis(inverse, (0, 1), (-2, -1)),
+        np.maximum(misfit, 0.0),
+        summed[..., 0],
+    )
 
 
 def _inverse(normal: np.ndarray) -> np.ndarray:
-    """Inverse of symmetric positive definite matrices (…, 4, 4), by blocks of two rows.
+    """Inverse of symmetric positive definite matrices (4, 4, …), by blocks of two rows.
 
     For so many so small ones LAPACK's time goes into being called.
     """
-    a, b, c, d = (normal[..., 0, k] for k in range(4))
-    e, f, g = (normal[..., 1, k] for k in range(1, 4))
-    h, i, j = normal[..., 2, 2], normal[..., 2, 3], normal[..., 3, 3]
+    a, b, c, d = normal[0]
+    e, f, g = normal[1, 1:]
+    h, i, j = normal[2, 2], normal[2, 3], normal[3, 3]
     size = a * e - b * b
     p, q, r = e / size, -b / size, a / size
     # What the last two terms are in terms of the first two, and what of them is their own.
@@ -166,13 +174,13 @@ def _inverse(normal: np.ndarray) -> np.ndarray:
     h, i, j = j / size, -i / size, h / size
     wh, xh, yh, zh = w * h + x * i, w * i + x * j, y * h + z * i, y * i + z * j
     inverse = np.empty(normal.shape)
-    inverse[..., 0, 0] = p + wh * w + xh * x
-    inverse[..., 0, 1] = inverse[..., 1, 0] = q + wh * y + xh * z
-    inverse[..., 1, 1] = r + yh * y + zh * z
-    inverse[..., 0, 2] = inverse[..., 2, 0] = -wh
-    inverse[..., 0, 3] = inverse[..., 3, 0] = -xh
-    inverse[..., 1, 2] = inverse[..., 2, 1] = -yh
-    inverse[..., 1, 3] = inverse[..., 3, 1] = -zh
-    inverse[..., 2, 2], inverse[..., 3, 3] = h, j
-    inverse[..., 2, 3] = inverse[..., 3, 2] = i
+    inverse[0, 0] = p + wh * w + xh * x
+    inverse[0, 1] = inverse[1, 0] = q + wh * y + xh * z
+    inverse[1, 1] = r + yh * y + zh * z
+    inverse[0, 2] = inverse[2, 0] = -wh
+    inverse[0, 3] = inverse[3, 0] = -xh
+    inverse[1, 2] = inverse[2, 1] = -yh
+    inverse[1, 3] = inverse[3, 1] = -zh
+    inverse[2, 2], inverse[3, 3] = h, j
+    inverse[2, 3] = inverse[3, 2] = i
     return inverse

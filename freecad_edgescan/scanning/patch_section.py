@@ -11,6 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from ..cloud.point_cloud import PointCloud
 from .corner import Corners, corners, largest_sigma
@@ -25,6 +26,7 @@ from .stop import Stop
 _REMEASURE_TURN = 0.06
 _MEASUREMENTS = 3
 _MOST_BENT = 0.4  # rad, turn of the edge within half a slab
+_ARC = np.tan(_MOST_BENT) / _MOST_BENT
 _MOST_SCATTER = 5.0  # times the noise, of the better side, at which it is no side any more
 _ENDING = 6.0  # pitches round the last edge point in which to see why a walk ended
 _HANGING = 3.0  # pitches: what an edge point may be off the nearest point besides a rounding
@@ -122,16 +124,22 @@ class PatchSection:
 
     def slab(self, frames: Frames, half_width: np.ndarray) -> SectionPoints:
         """Points within the reach of sections and half a width (m,) along the edge."""
-        reach = self.settings.reach
-        radius = np.hypot(reach, half_width) * 1.05
-        balls = self.cloud.tree.query_ball_point(frames.origin, radius, return_sorted=False)
-        index = np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls])
-        owner = np.repeat(np.arange(len(frames)), [len(ball) for ball in balls])
-        points = self.cloud.points[index]
-        ahead = np.einsum("ni,ni->n", points - frames.origin[owner], frames.tangent[owner])
-        # Inside of a bend a narrow slab of points fans out to twice its width.
-        near = np.abs(ahead) <= 2.0 * half_width[owner]
-        found = section_points(frames, owner[near], index[near], points[near])
+        radius = np.hypot(self.settings.reach, half_width) * 1.05
+        # Both trees are gone through together, and what they have in common comes as arrays.
+        pairs = cKDTree(frames.origin).sparse_distance_matrix(
+            self.cloud.tree, radius.max(), output_type="ndarray"
+        )
+        index, owner = pairs["j"], pairs["i"]
+        points = self.cloud.points.take(index, axis=0)
+        offset = points - frames.origin.take(owner, axis=0)
+        ahead = np.einsum("ni,ni->n", offset, frames.tangent.take(owner, axis=0))
+        # Outside of a bend a narrow slab of points fans out, up to twice its width.
+        fanned = _ARC * (1.0 + np.linalg.norm(frames.bend, axis=1) * radius)
+        near = np.abs(ahead) <= (half_width * np.minimum(fanned, 2.0)).take(owner)
+        near = np.flatnonzero(near & (pairs["v"] <= radius.take(owner)))
+        # In an order that does not depend on which sections are measured together.
+        near = near[np.argsort(index[near])]
+        found = section_points(frames, owner[near], index[near], points.take(near, axis=0))
         return found[np.abs(found.along) <= half_width[found.owner]]
 
     def _measure_once(self, frames: Frames, half_width: np.ndarray) -> list[Station]:
@@ -158,7 +166,7 @@ class PatchSection:
         fits = self._fit(frames, kept, half_width)
         residual = fits.residuals(kept)
         limit = 3.5 * np.maximum(np.sqrt(fits.variance) * settings.reach, settings.noise)
-        inliers = np.abs(residual) <= limit[kept.owner, kept.side]
+        inliers = np.abs(residual) <= kept.of_their_sides(limit)
         if not np.all(inliers):
             fits = self._fitted_again(frames, kept, inliers, fits, half_width)
             kept = kept[inliers]
@@ -225,10 +233,11 @@ class PatchSection:
         """
         half = corner.half_angle
         rounded = gap_under_rounding(fits.begins.max(axis=1), half)
-        away = self.cloud.points[points.index] - corner.point[points.owner]
-        near = np.full(len(half), np.inf)
-        np.minimum.at(near, points.owner, np.einsum("ni,ni->n", away, away))
-        return np.sqrt(near) > 1.3 * rounded + _HANGING * self.settings.cloud_pitch
+        farthest = 1.3 * rounded + _HANGING * self.settings.cloud_pitch
+        away = self.cloud.points.take(points.index, axis=0)
+        away -= corner.point.take(points.owner, axis=0)
+        near = np.einsum("ni,ni->n", away, away) <= np.square(farthest).take(points.owner)
+        return np.bincount(points.owner[near], minlength=len(half)) == 0
 
     def _fit(
         self,
@@ -269,7 +278,7 @@ class PatchSection:
 
     def _plausible(self, frame: Frames, points: SectionPoints) -> np.ndarray:
         """Points near enough to the surface that the prediction expects."""
-        expected = 0.5 * frame.curvature[points.owner, points.side] * points.away**2
+        expected = 0.5 * points.of_their_sides(frame.curvature) * points.away**2
         allowed = 4.0 * self.settings.noise + 0.5 * self.settings.cloud_pitch + 0.15 * points.away
         begins = frame.rolled_over(self.settings.probe_radius)[points.owner]
         return (points.away > begins) & (np.abs(points.height - expected) <= allowed)
@@ -282,7 +291,7 @@ def _cover(points: SectionPoints, fits: SideFits) -> np.ndarray:
     counts for less. What is left out next to the edge may well be a rounding and does not count.
     """
     extent = np.full(fits.count.shape, 1e-12)
-    np.maximum.at(extent, (points.owner, points.side), points.away)
+    np.maximum.at(extent.reshape(-1), 2 * points.owner + points.side, points.away)
     curl = fits.coefficients[..., 2] * fits.ends / fits.reach
     share = np.minimum(fits.ends / extent, 1.0) / (1.0 + curl**2)
     return np.asarray(np.where(fits.accepted, share, 0.6 * share).min(axis=1))

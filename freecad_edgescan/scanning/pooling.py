@@ -29,6 +29,7 @@ from .side_fit import (
 
 _POOLED = 4  # sections on each side that decide together
 _STRIDES = (8, 6, 4)  # sections from one decision to the next, first to last
+_AT_ONCE = 40  # decisions whose stretches the processor's cache holds together
 _ALIKE_CURVED = (8, 24, 72)  # sections on each side that may share their curvature
 _ALIKE = 6 * (2 * _POOLED + 1)  # sections over which what is left of a rounding is much the same
 _BY_CHANCE = 2.0  # times that what noise moves may be met by chance, on their average
@@ -53,7 +54,7 @@ def cleaned(
     removed = np.zeros(len(points.index), dtype=bool)
     for stride in _STRIDES[1:]:
         limit = 3.5 * np.maximum(np.sqrt(pooled.variance) * pooled.reach, 0.5 * noise)
-        removed = np.abs(pooled.residuals(points)) > limit[points.owner, points.side]
+        removed = np.abs(pooled.residuals(points)) > points.of_their_sides(limit)
         lost, left = (
             _pool(block_counts(points[part], len(path), pooled.reach).astype(float), path)
             for part in (removed, ~removed)
@@ -208,17 +209,22 @@ def _decide(
     own = without_crowds(moments, reach, settings.half_width, settings.cloud_pitch)
     expected = path.frames.curvature * reach
     few = np.arange(0, len(path), stride)
-    chosen = choose_stretches(
-        neighbours.pooled(own, _POOLED, few),
-        reach,
-        noise,
-        expected[few],
-        slack=0.05,
-        scatter=1.8,
-        doubtful=None if doubtful is None else doubtful[few],
-        together=True,
-        least_begin=_NOT_BEFORE * path.begins,
-    )
+
+    def chosen_at(rows: np.ndarray) -> SideFits:
+        return choose_stretches(
+            neighbours.pooled(own, _POOLED, rows),
+            reach,
+            noise,
+            expected[rows],
+            slack=0.05,
+            scatter=1.8,
+            doubtful=None if doubtful is None else doubtful[rows],
+            together=True,
+            least_begin=_NOT_BEFORE * path.begins,
+        )
+
+    pieces = np.array_split(few, -(-len(few) // _AT_ONCE))
+    chosen = SideFits.join([chosen_at(rows) for rows in pieces])
     # Where a rounding is taken for the side it is so all along; each decision sees it by chance.
     astray = uniform_filter1d(chosen.astray, 3, axis=0, mode="wrap" if path.closed else "nearest")
     nearest = np.minimum((np.arange(len(path)) + stride // 2) // stride, len(few) - 1)

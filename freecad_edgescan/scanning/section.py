@@ -9,7 +9,7 @@ two surfaces of a swept part do not change with u, so a wide slab of points shar
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
@@ -61,7 +61,10 @@ class Frames:
 
     def backward(self) -> Frames:
         """The same sections in the other order, walked the other way."""
-        return replace(self[::-1], tangent=-self.tangent[::-1])
+        there = self[::-1]
+        return Frames(
+            there.origin, -there.tangent, there.sides, there.normals, there.bend, there.curvature
+        )
 
     def replaced(self, rows: np.ndarray, others: Frames) -> Frames:
         """These sections, and others (k) in some rows: (k,) indices."""
@@ -135,14 +138,21 @@ class SectionPoints:
     height: np.ndarray
 
     def __getitem__(self, part: np.ndarray) -> SectionPoints:
+        """Return some of the points: (n,) bool, or their numbers."""
+        rows = np.flatnonzero(part) if part.dtype == bool else part
         return SectionPoints(
-            self.index[part],
-            self.owner[part],
-            self.along[part],
-            self.side[part],
-            self.away[part],
-            self.height[part],
+            self.index.take(rows),
+            self.owner.take(rows),
+            self.along.take(rows),
+            self.side.take(rows),
+            self.away.take(rows),
+            self.height.take(rows),
         )
+
+    def of_their_sides(self, values: np.ndarray) -> np.ndarray:
+        """Values (m, 2, …) of the sections' sides at each point, (n, …): those of its own side."""
+        flat = values.reshape(-1, *values.shape[2:])
+        return flat.take(2 * self.owner + self.side, axis=0)
 
 
 def unrolled(
@@ -163,10 +173,10 @@ def unrolled(
         cross each other
     """
     bend = np.linalg.norm(frames.bend, axis=1)
-    inward = (frames.bend / np.maximum(bend, 1e-300)[:, None])[owner]
-    offset = points - frames.origin[owner]
-    ahead = np.einsum("ni,ni->n", offset, frames.tangent[owner])
-    kappa = bend[owner]
+    inward = (frames.bend / np.maximum(bend, 1e-300)[:, None]).take(owner, axis=0)
+    offset = points - frames.origin.take(owner, axis=0)
+    ahead = np.einsum("ni,ni->n", offset, frames.tangent.take(owner, axis=0))
+    kappa = bend.take(owner)
     within = np.einsum("ni,ni->n", offset, inward)
     to_centre = 1.0 - kappa * within
     distance = np.hypot(to_centre, kappa * ahead)
@@ -193,12 +203,12 @@ def section_points(
     points : (n, 3) array, mm
     """
     along, offset, before_centre = unrolled(frames, owner, points)
-    away = np.einsum("nki,ni->nk", frames.sides[owner], offset)
+    away = np.einsum("nki,ni->nk", frames.sides.take(owner, axis=0), offset)
     side = (away[:, 1] > away[:, 0]).astype(np.int64)
-    height = np.einsum("ni,ni->n", frames.normals[owner, side], offset)
-    away = np.where(side, away[:, 1], away[:, 0])
-    result = SectionPoints(index, owner, along, side, away, height)
-    return result[before_centre]
+    normal = frames.normals.reshape(-1, 3).take(2 * owner + side, axis=0)
+    height = np.einsum("ni,ni->n", normal, offset)
+    result = SectionPoints(index, owner, along, side, np.maximum(*away.T), height)
+    return result if before_centre.all() else result[before_centre]
 
 
 @dataclass(frozen=True)

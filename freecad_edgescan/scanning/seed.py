@@ -9,6 +9,7 @@ without their rounding, that meet at an angle near the click.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from itertools import combinations
 
@@ -52,16 +53,20 @@ def find_seed(
     within : largest distance of the edge from the click, mm; by default a few pitches besides
         what a rounding takes
     """
-    seeds = []
+    found = []
     for ball in _BALLS:
         radius = ball * settings.cloud_pitch
         tried: list[Frames] = []
         for frame in proposals(cloud, at, radius, settings.min_angle):
             if not any(_alike(frame, other) for other in tried):
                 tried.append(frame)
-                seeds.append(_confirmed(cloud, frame, at, radius, settings, along, within))
+        # Whoever gives a start knows that there is an edge.
+        shortest, patient = max(radius, 8.0 * settings.cloud_pitch), along is not None
+        for seed in _measured_growing(cloud, tried, shortest, settings, patient):
+            confirmed = _confirmed(seed, at, settings, along, within)
+            if confirmed is not None:
+                found.append(confirmed)
     # Small balls also propose tangent planes of a rounding; their edges are poorly known.
-    found = [seed for seed in seeds if seed is not None]
     found.sort(key=lambda seed: _doubt(seed.station, at, settings))
     return next((seed for seed in found if _goes_on(cloud, seed, settings)), None)
 
@@ -116,20 +121,13 @@ def proposals(cloud: PointCloud, at: np.ndarray, radius: float, min_angle: float
 
 
 def _confirmed(
-    cloud: PointCloud,
-    frame: Frames,
+    seed: Seed,
     at: np.ndarray,
-    radius: float,
     settings: PatchSettings,
     along: np.ndarray | None,
     within: float | None,
 ) -> Seed | None:
-    """Measure a proposed section with growing reach; None when it is not an edge near the click."""
-    # Whoever gives a start knows that there is an edge.
-    shortest = max(radius, 8.0 * settings.cloud_pitch)
-    seed = measure_growing(cloud, frame, shortest, settings, patient=along is not None)
-    if seed is None:
-        return None
+    """A measured seed that is an edge near the click, turned along; None where it is not."""
     station, found = seed.station, seed.station.frame
     if found.turn[0] < settings.min_angle or station.sigma > _LARGEST_SIGMA * settings.cloud_pitch:
         return None
@@ -143,27 +141,35 @@ def _confirmed(
     return Seed(station, seed.reach)
 
 
-def measure_growing(
-    cloud: PointCloud, frame: Frames, reach: float, settings: PatchSettings, patient: bool = False
-) -> Seed | None:
-    """Measure with growing reach, each time knowing the shape better; keep the best known edge.
+def _measured_growing(
+    cloud: PointCloud,
+    proposed: Sequence[Frames],
+    reach: float,
+    settings: PatchSettings,
+    patient: bool,
+) -> list[Seed]:
+    """Measure proposed sections with growing reach, each time knowing the shape better.
 
-    A short look at a wide rounding sees no edge at all; a patient one goes on from there.
+    Of each at which there is an edge, the best known one is kept. A short look at a wide rounding
+    sees no edge at all; a patient one goes on from there.
     """
-    best = None
-    while True:
+    frames, best = dict(enumerate(proposed)), dict[int, Seed]()
+    while frames:
         reach = min(reach, settings.reach)
         section = PatchSection(cloud, settings.with_reach(reach))
-        measured = section.settle(frame, np.array([settings.half_width]))[0]
-        if measured.stop is None:
-            if best is None or measured.sigma < 1.1 * best.station.sigma:
-                best = Seed(measured, reach)
-            frame = measured.frame
-        elif best is None and not patient:
-            return None
+        together = Frames.join(list(frames.values()))
+        measured = section.settle(together, np.full(len(frames), settings.half_width))
+        for k, station in zip(list(frames), measured, strict=True):
+            if station.stop is None:
+                if k not in best or station.sigma < 1.1 * best[k].station.sigma:
+                    best[k] = Seed(station, reach)
+                frames[k] = station.frame
+            elif k not in best and not patient:
+                del frames[k]
         if reach >= settings.reach:
-            return best
+            break
         reach *= _GROWTH
+    return [best[k] for k in sorted(best)]
 
 
 def _doubt(station: Station, at: np.ndarray, settings: PatchSettings) -> float:

@@ -14,6 +14,7 @@ order one.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from typing import Any
 
@@ -29,10 +30,10 @@ from .normal_equations import (
 )
 from .section import SectionPoints
 
-# All stretches of two and more blocks: their first and last block (exclusive), the blocks in them,
-# and the number of the stretch between two blocks.
+# All stretches of two and more blocks: their first and last block (exclusive), which blocks are in
+# them, (BLOCKS, stretches), and the number of the stretch between two blocks.
 _FIRST, _LAST = np.triu_indices(BLOCKS + 1, k=2)
-_WITHIN = (np.arange(BLOCKS) >= _FIRST[:, None]) & (np.arange(BLOCKS) < _LAST[:, None])
+_WITHIN = (np.arange(BLOCKS)[:, None] >= _FIRST) & (np.arange(BLOCKS)[:, None] < _LAST)
 _NUMBER = np.full((BLOCKS + 1, BLOCKS + 1), -1)
 _NUMBER[_FIRST, _LAST] = np.arange(len(_FIRST))
 
@@ -86,6 +87,14 @@ class SideFits:
     def __getitem__(self, part: slice) -> SideFits:
         """Return the fits of some sections; a negative step puts them into the other order."""
         return self._with({name: array[part] for name, array in self._arrays().items()})
+
+    @staticmethod
+    def join(parts: Sequence[SideFits]) -> SideFits:
+        """Put the fits of sections behind each other."""
+        names = parts[0]._arrays()
+        return parts[0]._with(
+            {name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
+        )
 
     def or_where(self, chosen: np.ndarray, other: SideFits) -> SideFits:
         """These fits, and another's where chosen (m, 2)."""
@@ -148,7 +157,7 @@ class SideFits:
 
     def residuals(self, points: SectionPoints) -> np.ndarray:
         """Height of the points above their own side's fit, (n,) mm."""
-        c = self.coefficients[points.owner, points.side]
+        c = points.of_their_sides(self.coefficients)
         away, height, along = (
             value / self.reach for value in (points.away, points.height, points.along)
         )
@@ -159,9 +168,9 @@ class SideFits:
 def choose_stretches(
     moments: np.ndarray,
     reach: float,
-    noise: float | np.ndarray,
+    noise: float,
     curvature: np.ndarray,
-    curvature_sigma: float | np.ndarray = PRIOR_SIGMA[2],
+    curvature_sigma: float = PRIOR_SIGMA[2],
     slack: float = 0.3,
     scatter: float = 1.25,
     doubtful: np.ndarray | None = None,
@@ -179,7 +188,7 @@ def choose_stretches(
     ----------
     moments : (m, 2, BLOCKS, 15) array from `block_moments`
     reach : mm
-    noise : standard deviation of the points along the normal, mm, one or (m, 2)
+    noise : standard deviation of the points along the normal, mm
     curvature, curvature_sigma : expected curvature of each side (m, 2) and its sigma, times reach
     slack : systematic misfit of a block that is tolerated, in noise
     scatter : variance of a stretch's points that is tolerated, in noise squared
@@ -188,55 +197,49 @@ def choose_stretches(
     together : whether the points are those of many sections, which see far smaller departures
     least_begin : distance from the edge, mm, within which no stretch begins, one or (2,)
     """
-    sections = len(moments)
-    variance = np.broadcast_to(np.square(np.asarray(noise, dtype=float) / reach), (sections, 2))
-    cumulated = np.zeros((sections, 2, BLOCKS + 1, moments.shape[-1]))
-    np.cumsum(moments, axis=2, out=cumulated[:, :, 1:])
-    summed = cumulated[:, :, _LAST] - cumulated[:, :, _FIRST]
-    fits = solve(summed, variance[..., None], curvature[..., None], curvature_sigma)
+    variance = (noise / reach) ** 2
+    cumulated = np.zeros((moments.shape[-1], *moments.shape[:2], BLOCKS + 1))
+    np.cumsum(np.moveaxis(moments, -1, 0), axis=-1, out=cumulated[..., 1:])
+    summed = np.moveaxis(cumulated.take(_LAST, axis=-1) - cumulated.take(_FIRST, axis=-1), 0, -1)
+    fits = solve(summed, variance, curvature[..., None], curvature_sigma)
     coefficients, inverse, misfit, count = fits
     degrees = np.maximum(count - 3.0, 1.0)
-    ratio = misfit / degrees / variance[..., None]
-    # Mean residual of every block under every stretch's fit.
-    blocks = sums_of_terms(moments)
-    number = np.maximum(blocks[..., 0], 1e-9)
-    mean = (
-        blocks[:, :, None, :, 4] - coefficients @ np.swapaxes(blocks[..., :4], -1, -2)
-    ) / number[:, :, None]
-    filled = blocks[..., 0] > 0
+    ratio = misfit / degrees / variance
+    # Mean residual of every block under every stretch's fit, times the root of its points' number.
+    number = moments[..., 0]
+    filled = number > 0
+    means = sums_of_terms(moments) / np.sqrt(np.maximum(number, 1e-9))[..., None]
+    residual = means[..., 4:] - means[..., :4] @ np.swapaxes(coefficients, -1, -2)
     # A block pulls the fit towards itself; what is left of its misfit is that of a fit without it.
-    centre = blocks[..., :4] / number[..., None]
-    leverage = square_forms(inverse, centre)
-    free = np.maximum(1.0 / number[:, :, None] - leverage, 1e-3 / number[:, :, None])
-    tolerated = slack * free * number[:, :, None]
-    allowed = variance[..., None, None] * (free + tolerated**2)
-    populated = _WITHIN & filled[:, :, None]
-    worst = np.max(np.where(populated, np.square(mean) / allowed, 0.0), axis=-1)
-    populated = np.count_nonzero(populated, axis=-1)
+    free = np.maximum(1.0 - square_forms(inverse, means[..., :4]), 1e-3)
+    allowed = variance * free * (1.0 + (slack**2 * number)[..., None] * free)
+    populated = _WITHIN & filled[..., None]
+    worst = np.max(np.where(populated, np.square(residual) / allowed, 0.0), axis=-2)
+    populated = filled @ _WITHIN.astype(float)
     enough = (count >= 8) & (populated >= 2) & filled[..., _FIRST] & filled[..., _LAST - 1]
     # How far a stretch departs from one smooth surface, 1 where it may just be one.
     badness = np.maximum(
         ratio / (scatter * (1.0 + 3.0 * np.sqrt(2.0 / degrees))), worst / _WORST**2
     )
     # A rounding is a smooth stretch too; its curvature, and the points it leaves over, tell.
-    bent = variance[..., None] * inverse[..., 2, 2] + np.square(curvature_sigma)
+    bent = variance * inverse[..., 2, 2] + curvature_sigma**2
     side = np.square(coefficients[..., 2] - curvature[..., None]) <= 9.0 * bent
     side &= np.abs(coefficients[..., 2]) <= MOST_CURVED
     side &= BLOCK_EDGES[_FIRST] * reach >= np.broadcast_to(least_begin, (2,))[:, None]
     if doubtful is not None:
-        side &= ~np.any(_WITHIN & doubtful[:, :, None], axis=-1)
+        side &= ~(doubtful @ _WITHIN)
     # Share of the length, not of the points: scans crowd points on roundings.
     length = np.diff(BLOCK_EDGES) * filled
-    share = length @ _WITHIN.T
+    share = length @ _WITHIN
     share = share / np.maximum(length.sum(axis=-1), 1e-9)[..., None]
-    extrapolated = variance[..., None] * inverse[..., 0, 0] / np.maximum(share, 0.05) ** _COVERAGE
+    extrapolated = variance * inverse[..., 0, 0] / np.maximum(share, 0.05) ** _COVERAGE
     badness, astray = np.maximum(badness, 1.0), np.zeros_like(badness)
     even = side & (badness <= 1.0)
     if together:
         # Many points see the smallest unevenness: a little of it is put up with where those
         # stretches that have none know far less.
         # Tolerated misfits of the blocks count as if their points were fewer.
-        known = variance[..., None] * (1.0 + slack**2 * count / np.maximum(populated, 1))
+        known = variance * (1.0 + slack**2 * count / np.maximum(populated, 1))
         moved, astray = _moved(coefficients[..., 0], inverse[..., 0, 0], known, enough)
         moved = np.maximum(moved / _MOST_MOVED**2, 1.0)
         score = extrapolated * badness ** _UNEVEN[0] * moved ** _UNEVEN[1]
@@ -258,7 +261,7 @@ def choose_stretches(
         np.stack([_FIRST[best], _LAST[best]], axis=-1),
         (even & enough)[m, k, best],
         astray[m, k, best],
-        variance / np.square(np.broadcast_to(curvature_sigma, variance.shape)),
+        np.full(best.shape, variance / curvature_sigma**2),
     )
 
 

@@ -198,7 +198,8 @@ class _Neighbours:
         found = used.sum(axis=1) >= degree + 2
         size = np.sqrt(np.maximum(np.einsum("mii->mi", normal), 1e-300))
         scaled = normal / size[:, :, None] / size[:, None]
-        found &= np.linalg.cond(scaled) < 1e8
+        eigenvalues = np.linalg.eigvalsh(scaled)
+        found &= eigenvalues[:, 0] > 1e-8 * eigenvalues[:, -1]
         scaled = np.where(found[:, None, None], scaled, np.eye(degree + 1))
         first = np.linalg.inv(scaled)[:, 0] / size[:, :1] / size
         return np.where(found[:, None], np.einsum("mki,mi->mk", weighted, first), 0.0), found
@@ -207,8 +208,9 @@ class _Neighbours:
         """Mean square of the neighbours' distances from the polynomial, in variances, (m,)."""
         power = self.along[..., None] ** np.arange(degree + 1)
         root = np.sqrt(self.precision * used)[..., None]
-        best = np.linalg.pinv(power * root) @ (self.off * root)
-        left = np.sum(np.square((self.off - power @ best) * root), axis=(1, 2))
+        # What lies in the space of the polynomials is explained by the best of them.
+        space, off = np.linalg.qr(power * root)[0], self.off * root
+        left = np.sum(np.square(off - space @ (np.swapaxes(space, 1, 2) @ off)), axis=(1, 2))
         return left / np.maximum(used.sum(axis=1) - degree - 1, 1)
 
     def mean(self, weight: np.ndarray) -> _Mean:

@@ -29,11 +29,16 @@ def strip_points(
     ]
     radius = float(np.hypot(reach, 0.5 * reach) + half_width)
     balls = cloud.tree.query_ball_point(centres, radius, return_sorted=False)
-    index = np.unique(np.concatenate([np.asarray(ball, dtype=np.int64) for ball in balls]))
-    index = _each_place_once(cloud.points, index)
-    points = cloud.points[index]
-    _, nearest = cKDTree(frames.origin).query(points)
-    ahead = np.einsum("ni,ni->n", points - frames.origin[nearest], frames.tangent[nearest])
+    # Marked, since sorting out what lies in two of them takes longer.
+    near = np.zeros(len(cloud), dtype=bool)
+    for ball in balls:
+        near[ball] = True
+    index = _each_place_once(cloud.points, np.flatnonzero(near))
+    points = cloud.points.take(index, axis=0)
+    # No point is farther than that; to know it spares the search some nodes.
+    _, nearest = cKDTree(frames.origin).query(points, distance_upper_bound=1.01 * radius)
+    offset = points - frames.origin.take(nearest, axis=0)
+    ahead = np.einsum("ni,ni->n", offset, frames.tangent.take(nearest, axis=0))
     neighbours = int(np.ceil(half_width / max(float(np.diff(path.at).min()), 1e-3 * spacing) + 0.5))
     parts = []
     for step in range(-neighbours, neighbours + 1):
@@ -43,7 +48,7 @@ def strip_points(
         # Inside of a bend a narrow slab of points fans out to twice its width.
         onward = np.nan_to_num(path.ahead(step) if step else np.zeros(len(frames)), nan=np.inf)
         rows = np.flatnonzero(np.abs(ahead - onward[nearest]) <= 2.0 * half_width)
-        found = section_points(frames, owner[rows], index[rows], points[rows])
+        found = section_points(frames, owner[rows], index[rows], points.take(rows, axis=0))
         parts.append(
             found[(np.abs(found.along) <= half_width) & (found.away > 0) & (found.away < reach)]
         )
@@ -57,9 +62,12 @@ def strip_points(
 
 def _each_place_once(points: np.ndarray, index: np.ndarray) -> np.ndarray:
     """Leave out points that repeat another one exactly: they are no measurement of their own."""
-    x, y, z = points[index].T
+    x, y, z = points.take(index, axis=0).T
     # Equal points have an equal sum, and others only by chance.
     total = x + np.sqrt(2.0) * y + np.sqrt(3.0) * z
+    ordered = np.sort(total)
+    if np.all(ordered[1:] > ordered[:-1]):
+        return index
     order = np.argsort(total, kind="stable")
     first = points[index[order]]
     repeats = np.append(False, np.all(first[1:] == first[:-1], axis=1))

@@ -8,6 +8,11 @@ from typing import Any
 
 import pytest
 
+try:
+    import FreeCAD  # noqa: F401
+except ImportError:  # not in FreeCAD's Python
+    collect_ignore = ["edge_object"]
+
 
 @pytest.fixture
 def doc() -> Iterator[Any]:

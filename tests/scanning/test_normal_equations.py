@@ -97,7 +97,7 @@ def test_square_forms_are_products_with_each_vector():
     rng = np.random.default_rng(3)
     half, vectors = rng.normal(size=(2, 5, 4, 4)), rng.normal(size=(2, 7, 4))
     matrices = half @ np.swapaxes(half, -1, -2)
-    wanted = np.einsum("mbi,mkij,mbj->mkb", vectors, matrices, vectors)
+    wanted = np.einsum("mbi,mkij,mbj->mbk", vectors, matrices, vectors)
     assert square_forms(matrices, vectors) == pytest.approx(wanted)
 
 
