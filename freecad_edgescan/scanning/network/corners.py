@@ -14,8 +14,10 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ...cloud.point_cloud import PointCloud
 from ..corner import largest_sigma
 from ..scanned_edge import ScannedEdge
+from .bends import bends_at
 
 __all__ = ["Corners", "joined_corners", "unsure"]
 
@@ -50,13 +52,14 @@ class Corners:
     passing: np.ndarray
 
 
-def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
+def joined_corners(edges: list[ScannedEdge], cloud: PointCloud) -> Corners:
     """The corners in which edges end together, or upon another edge.
 
     Parameters
     ----------
-    pitch : of the cloud, mm
+    cloud : that the edges were found in
     """
+    pitch = cloud.pitch
     of_ends = np.full((len(edges), 2), -1)
     ends = [
         (number, k)
@@ -83,6 +86,8 @@ def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
         # Two edges alone make a corner where each of them has found it by itself.
         if len(mine) + len(others) < 3 and len(mine) < 2 and passing < 0:
             continue
+        if not others and passing < 0 and _are_one(cloud, edges, point, numbers[mine]):
+            continue
         misclosure = float(np.linalg.norm(points[mine] - point, axis=1).max())
         for number, k in [*numbers[mine].tolist(), *others]:
             of_ends[number, k] = len(found)
@@ -93,6 +98,20 @@ def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
     return Corners(
         np.array(where), np.array(covariances), np.array(misclosures), of_ends, np.array(passings)
     )
+
+
+def _are_one(
+    cloud: PointCloud, edges: list[ScannedEdge], point: np.ndarray, ends: np.ndarray
+) -> bool:
+    """Whether the ends (k, 2) of edges in a corner are those of two that are one bent edge.
+
+    Under a rounding the third edge is one, too, and no bend is told from it.
+    """
+    if len(ends) != 2:
+        return False
+    both = [(edges[number], k) for number, k in ends.tolist()]
+    sharp = all(unsure(edge, cloud.pitch) == 0.0 for edge, _ in both)
+    return sharp and bends_at(cloud, point, both)
 
 
 def _none(edges: int) -> Corners:

@@ -168,7 +168,7 @@ def network_of(
     cloud: PointCloud, edges: list[ScannedEdge], message: str = "", cancelled: bool = False
 ) -> EdgeNetwork:
     """The network of finished edges."""
-    corners = joined_corners(edges, cloud.pitch)
+    corners = joined_corners(edges, cloud)
     joined = tuple(_ending_in(edge, corners, number) for number, edge in enumerate(edges))
     ends = tuple(
         (_end(corners, edge, number, 0), _end(corners, edge, number, 1))
