@@ -61,6 +61,7 @@ def test_where_a_wall_bends_its_rim_has_no_corner(seed):
     line, normals = rim(1.3, 2.5, 1.0 / 20.0)
     network = es.find_edges(under(line, normals, 16.0, seed), jobs=1)
     assert len(network.corners) == 0
+    assert all(es.Stop.LOST in ends for ends in network.ends)
     assert sum(edge.length for edge in network.edges) > 0.85 * 2.0 * HALF * PITCH
 
 
