@@ -14,8 +14,10 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from ...cloud.point_cloud import PointCloud
 from ..corner import largest_sigma
 from ..scanned_edge import ScannedEdge
+from .bends import bends_at
 
 __all__ = ["Corners", "joined_corners", "unsure"]
 
@@ -41,6 +43,7 @@ class Corners:
     misclosure : (k,) mm, the farthest of its edges' own vertices from it
     of_ends : (m, 2) number of the corner in which each edge starts and ends, −1 for none
     passing : (k,) number of the edge that passes a corner without ending there, −1 for none
+    bending : (m, 2) bool, ends at which an edge bends with its wall, which is no corner
     """
 
     points: np.ndarray
@@ -48,16 +51,18 @@ class Corners:
     misclosure: np.ndarray
     of_ends: np.ndarray
     passing: np.ndarray
+    bending: np.ndarray
 
 
-def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
+def joined_corners(edges: list[ScannedEdge], cloud: PointCloud) -> Corners:
     """The corners in which edges end together, or upon another edge.
 
     Parameters
     ----------
-    pitch : of the cloud, mm
+    cloud : that the edges were found in
     """
-    of_ends = np.full((len(edges), 2), -1)
+    pitch = cloud.pitch
+    of_ends, bending = np.full((len(edges), 2), -1), np.zeros((len(edges), 2), dtype=bool)
     ends = [
         (number, k)
         for number, edge in enumerate(edges)
@@ -65,7 +70,7 @@ def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
         if not edge.closed and _believable(edge, k, pitch)
     ]
     if not ends:
-        return _none(len(edges))
+        return _none(bending)
     points = np.array([edges[number].vertices[k][0] for number, k in ends])  # type: ignore[index]
     spread = np.array([edges[number].vertices[k][1] for number, k in ends])  # type: ignore[index]
     doubts = np.array([unsure(edges[number], pitch) for number, _ in ends])
@@ -83,25 +88,48 @@ def joined_corners(edges: list[ScannedEdge], pitch: float) -> Corners:
         # Two edges alone make a corner where each of them has found it by itself.
         if len(mine) + len(others) < 3 and len(mine) < 2 and passing < 0:
             continue
+        if not others and passing < 0 and _are_one(cloud, edges, point, numbers[mine]):
+            bending[tuple(numbers[mine].T)] = True
+            continue
         misclosure = float(np.linalg.norm(points[mine] - point, axis=1).max())
         for number, k in [*numbers[mine].tolist(), *others]:
             of_ends[number, k] = len(found)
         found.append((point, covariance, misclosure, passing))
     if not found:
-        return _none(len(edges))
+        return _none(bending)
     where, covariances, misclosures, passings = zip(*found, strict=True)
     return Corners(
-        np.array(where), np.array(covariances), np.array(misclosures), of_ends, np.array(passings)
+        np.array(where),
+        np.array(covariances),
+        np.array(misclosures),
+        of_ends,
+        np.array(passings),
+        bending,
     )
 
 
-def _none(edges: int) -> Corners:
+def _are_one(
+    cloud: PointCloud, edges: list[ScannedEdge], point: np.ndarray, ends: np.ndarray
+) -> bool:
+    """Whether the ends (k, 2) of edges in a corner are those of two that are one bent edge.
+
+    Under a rounding the third edge is one, too, and no bend is told from it.
+    """
+    if len(ends) != 2:
+        return False
+    both = [(edges[number], k) for number, k in ends.tolist()]
+    sharp = all(unsure(edge, cloud.pitch) == 0.0 for edge, _ in both)
+    return sharp and bends_at(cloud, point, both)
+
+
+def _none(bending: np.ndarray) -> Corners:
     return Corners(
         np.zeros((0, 3)),
         np.zeros((0, 3, 3)),
         np.zeros(0),
-        np.full((edges, 2), -1),
+        np.full(bending.shape, -1),
         np.zeros(0, dtype=np.int64),
+        bending,
     )
 
 

@@ -168,7 +168,7 @@ def network_of(
     cloud: PointCloud, edges: list[ScannedEdge], message: str = "", cancelled: bool = False
 ) -> EdgeNetwork:
     """The network of finished edges."""
-    corners = joined_corners(edges, cloud.pitch)
+    corners = joined_corners(edges, cloud)
     joined = tuple(_ending_in(edge, corners, number) for number, edge in enumerate(edges))
     ends = tuple(
         (_end(corners, edge, number, 0), _end(corners, edge, number, 1))
@@ -197,7 +197,12 @@ def _renumbered(end: int | Stop, corner_of: dict[int, int]) -> int | Stop:
 
 def _end(corners: Corners, edge: ScannedEdge, number: int, k: int) -> int | Stop:
     corner = int(corners.of_ends[number, k])
-    return edge.stops[k] if corner < 0 else corner
+    return _stop(corners, edge, number, k) if corner < 0 else corner
+
+
+def _stop(corners: Corners, edge: ScannedEdge, number: int, k: int) -> Stop:
+    """Why an edge ends: where it bends with its wall, and has no corner, it was lost."""
+    return Stop.LOST if corners.bending[number, k] else edge.stops[k]
 
 
 def _ending_in(edge: ScannedEdge, corners: Corners, number: int) -> ScannedEdge:
@@ -207,8 +212,8 @@ def _ending_in(edge: ScannedEdge, corners: Corners, number: int) -> ScannedEdge:
         edge,
         vertices=(_vertex(corners, start), _vertex(corners, end)),
         stops=(
-            edge.stops[0] if start < 0 else Stop.CORNER,
-            edge.stops[1] if end < 0 else Stop.CORNER,
+            _stop(corners, edge, number, 0) if start < 0 else Stop.CORNER,
+            _stop(corners, edge, number, 1) if end < 0 else Stop.CORNER,
         ),
     )
     return replace(edge, message=describe(edge, None))

@@ -66,17 +66,17 @@ def corners_within(points: np.ndarray, closed: bool, width: int = 2) -> np.ndarr
 
 
 def sound_stretches(
-    edge: ScannedEdge, cloud: PointCloud, edge_pitch: float, others: np.ndarray
+    edge: ScannedEdge, cloud: PointCloud, edge_pitch: float, against: np.ndarray
 ) -> list[np.ndarray]:
     """Numbers of the edge points of each stretch that the evidence carries; all when it is sound.
 
     Parameters
     ----------
     edge_pitch : distance of the edge points, mm
-    others : (m,) bool, which of its points belong to another edge
+    against : (m,) bool, at which of its points something else speaks against the edge
     """
     count = len(edge)
-    bad = _unsupported(edge, cloud) | others
+    bad = _unsupported(edge, cloud) | against
     cut_after = np.zeros(count, dtype=bool)
     cut_after[corners_within(edge.points, edge.closed, 3)] = True
     steps = np.linalg.norm(np.diff(edge.points, axis=0), axis=1)

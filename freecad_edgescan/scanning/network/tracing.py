@@ -24,6 +24,7 @@ from ..trace import Trace, turned
 from ..walker import walk
 from .cloud_workers import CloudWorkers
 from .finishing import finished, part_of_trace, parted_at_bend
+from .sides_beyond import sides_beyond
 from .soundness import corners_within, sound_stretches
 from .strips import NOBODY, Strips
 from .tracks import Track, leading_on
@@ -133,8 +134,8 @@ class Tracer:
             parts = parted_at_bend(trace, settings.cloud_pitch) if again else []
             return self._parts(parts, again - 1)
         holders = self.strips.holders(edge.points, edge.tangents)
-        others = np.isin(holders, list(self.settled))
-        stretches = sound_stretches(edge, cloud, settings.edge_pitch, others)
+        against = np.isin(holders, list(self.settled)) | sides_beyond(edge, cloud, settings)
+        stretches = sound_stretches(edge, cloud, settings.edge_pitch, against)
         if len(stretches) == 1 and len(stretches[0]) == len(edge):
             return [edge]
         if not again:
