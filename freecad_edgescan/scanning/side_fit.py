@@ -25,6 +25,7 @@ from .normal_equations import (
     solve,
     square_forms,
     sums_of_terms,
+    without_bias,
 )
 from .section import SectionPoints
 
@@ -169,6 +170,8 @@ def choose_stretches(
     summed = cumulated[:, :, _LAST] - cumulated[:, :, _FIRST]
     fits = solve(summed, variance[..., None], curvature[..., None], curvature_sigma)
     coefficients, inverse, misfit, count = fits
+    if together:  # a few points scatter by more than what they are biased by
+        coefficients = without_bias(coefficients, inverse, summed, variance[..., None])
     degrees = np.maximum(count - 3.0, 1.0)
     ratio = misfit / degrees / variance[..., None]
     # Mean residual of every block under every stretch's fit.
@@ -296,6 +299,7 @@ def fit_summed(
     """Fit normal equations (m, 2, 15) that were summed over stretches; see choose_stretches."""
     variance = np.square(noise / reach)
     coefficients, inverse, misfit, count = solve(summed, variance, curvature, curvature_sigma)
+    coefficients = without_bias(coefficients, inverse, summed, variance)
     spread = misfit / np.maximum(count - 3.0, 1.0)
     return SideFits(
         reach,
