@@ -18,6 +18,7 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from ..cloud.point_cloud import PointCloud
+from .aligned import in_line
 from .corner import Corners, corners
 from .edge_path import EdgePath
 from .fillet import rounding_radius
@@ -46,6 +47,7 @@ _MOSTLY, _SOME = 0.5, 0.05  # shares of the sections
 _BESIDE = 11  # sections whose roundings are alike
 _MOST_ROUNDED = 0.6  # of a side
 _SURELY = 0.2  # share of the usual doubt about where the sides are
+_MOVES = 2  # of sections that stand out of line: the first one is by sides that are badly known
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
@@ -106,10 +108,13 @@ def measure_together(
     noise : standard deviation of the points along the normal, mm
     """
     points, plausible, extent = _strip(cloud, path, settings, noise)
-    pooled, outliers = cleaned(points[plausible], path, settings, noise)
-    pooled = replace(pooled, stretch=agreed_stretches(pooled.stretch, path))
-    used = plausible.copy()
-    used[plausible] = ~outliers
+    pooled, used = _decided(points, plausible, path, settings, noise)
+    for _ in range(_MOVES):
+        moved = in_line(points, used, pooled, path)
+        if moved is None:
+            break
+        points, path = moved
+        pooled, used = _decided(points, plausible, path, settings, noise)
     measured = _measure(points, used, pooled, extent, path, settings)
     rounded = _rounded_away(measured, settings, path.closed)
     if rounded is None:
@@ -117,6 +122,20 @@ def measure_together(
     used &= points.away > rounded[points.owner, points.side]
     pooled = fitted_again(points[used], path, settings, pooled)
     return _measure(points, used, pooled, extent, path, settings)
+
+
+def _decided(
+    points: SectionPoints,
+    plausible: np.ndarray,
+    path: EdgePath,
+    settings: PatchSettings,
+    noise: float,
+) -> tuple[SideFits, np.ndarray]:
+    """Sides as neighbours decide them together, and which points are theirs, (n,) bool."""
+    pooled, outliers = cleaned(points[plausible], path, settings, noise)
+    used = plausible.copy()
+    used[plausible] = ~outliers
+    return replace(pooled, stretch=agreed_stretches(pooled.stretch, path)), used
 
 
 def _measure(
@@ -131,7 +150,7 @@ def _measure(
     own = sum_stretches(evened_moments(points[used], path, settings), pooled.stretch)
     *curvature, asked = shared_curvature(pooled, path, settings.half_width)
     fits, borrowed_from = _supplied_fits(own, pooled, curvature, path, settings.half_width)
-    removed = ~used | ~_in_stretch(points, fits)
+    removed = ~used | ~fits.within(points)
     local = np.sqrt(pooled.variance) * pooled.reach
     supplied = np.all(own[..., 0] >= _SUPPLIED, axis=1)
     return Measured(
@@ -263,9 +282,3 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
         # Not the outermost points of all: one may be an outlier.
         extent[k] = min(s[-3] for s in sides) if k else max(s[2] for s in sides)
     return extent[0], extent[1]
-
-
-def _in_stretch(points: SectionPoints, fits: SideFits) -> np.ndarray:
-    begins = fits.begins[points.owner, points.side]
-    ends = fits.ends[points.owner, points.side]
-    return (points.away >= begins) & (points.away < ends)

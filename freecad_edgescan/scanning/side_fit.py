@@ -121,6 +121,11 @@ class SideFits:
         """Distance from the edge where the stretch ends, (m, 2) mm."""
         return self.reach * BLOCK_EDGES[self.stretch[..., 1]]
 
+    def within(self, points: SectionPoints) -> np.ndarray:
+        """Whether the points lie in the stretch of their own side, (n,) bool."""
+        begins, ends = (each[points.owner, points.side] for each in (self.begins, self.ends))
+        return np.asarray((points.away >= begins) & (points.away < ends))
+
     def residuals(self, points: SectionPoints) -> np.ndarray:
         """Height of the points above their own side's fit, (n,) mm."""
         c = self.coefficients[points.owner, points.side]
