@@ -48,6 +48,7 @@ _BESIDE = 11  # sections whose roundings are alike
 _MOST_ROUNDED = 0.6  # of a side
 _SURELY = 0.2  # share of the usual doubt about where the sides are
 _MOVES = 2  # of sections that stand out of line: the first one is by sides that are badly known
+_STILL_SEEN = 0.8  # of the sides, when the sections have been moved into line
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
@@ -113,8 +114,11 @@ def measure_together(
         moved = in_line(points, used, pooled, path)
         if moved is None:
             break
+        again, then = _decided(moved[0], plausible, moved[1], settings, noise)
+        if np.any(again.seen < _STILL_SEEN * pooled.seen):
+            break  # what the walk has followed is no edge that the sides agree about
         points, path = moved
-        pooled, used = _decided(points, plausible, path, settings, noise)
+        pooled, used = again, then
     measured = _measure(points, used, pooled, extent, path, settings)
     rounded = _rounded_away(measured, settings, path.closed)
     if rounded is None:

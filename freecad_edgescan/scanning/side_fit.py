@@ -121,6 +121,11 @@ class SideFits:
         """Distance from the edge where the stretch ends, (m, 2) mm."""
         return self.reach * BLOCK_EDGES[self.stretch[..., 1]]
 
+    @property
+    def seen(self) -> np.ndarray:
+        """How much of each side most sections see, (2,) mm."""
+        return np.asarray(np.median(self.ends - self.begins, axis=0))
+
     def within(self, points: SectionPoints) -> np.ndarray:
         """Whether the points lie in the stretch of their own side, (n,) bool."""
         begins, ends = (each[points.owner, points.side] for each in (self.begins, self.ends))
@@ -175,9 +180,10 @@ def choose_stretches(
     summed = cumulated[:, :, _LAST] - cumulated[:, :, _FIRST]
     fits = solve(summed, variance[..., None], curvature[..., None], curvature_sigma)
     coefficients, inverse, misfit, count = fits
-    if together:  # a few points scatter by more than what they are biased by
-        coefficients = without_bias(coefficients, inverse, summed, variance[..., None])
     degrees = np.maximum(count - 3.0, 1.0)
+    if together:  # a few points scatter by more than what they are biased by
+        known = np.minimum(misfit / degrees, variance[..., None])
+        coefficients = without_bias(coefficients, inverse, summed, known)
     ratio = misfit / degrees / variance[..., None]
     # Mean residual of every block under every stretch's fit.
     blocks = sums_of_terms(moments)
@@ -304,8 +310,8 @@ def fit_summed(
     """Fit normal equations (m, 2, 15) that were summed over stretches; see choose_stretches."""
     variance = np.square(noise / reach)
     coefficients, inverse, misfit, count = solve(summed, variance, curvature, curvature_sigma)
-    coefficients = without_bias(coefficients, inverse, summed, variance)
     spread = misfit / np.maximum(count - 3.0, 1.0)
+    coefficients = without_bias(coefficients, inverse, summed, np.minimum(spread, variance))
     return SideFits(
         reach,
         coefficients,
