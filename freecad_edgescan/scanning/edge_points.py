@@ -18,6 +18,7 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from ..cloud.point_cloud import PointCloud
+from .aligned import in_line
 from .corner import Corners, corners
 from .edge_path import EdgePath
 from .fillet import rounding_radius
@@ -51,6 +52,8 @@ _FIRST, _TOP = 0.01, 1.5
 # Standard deviations by which they lie below the sides, most of them, and their mean in its own.
 _BELOW, _SURELY_BELOW = 0.5, 5.0
 _BENT = 0.2  # sagitta of a side, in noise, that may be a rounding's
+_MOVES = 2  # of sections that stand out of line: the first one is by sides that are badly known
+_STILL_SEEN = 0.8  # of the sides, when the sections have been moved into line
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
@@ -118,10 +121,16 @@ def measure_together(
     about : radius of a rounding that has been found between the sides, mm
     """
     points, plausible, extent = _strip(cloud, path, settings, noise)
-    pooled, outliers = cleaned(points[plausible], path, settings, noise)
-    pooled = replace(pooled, stretch=agreed_stretches(pooled.stretch, path))
-    used = plausible.copy()
-    used[plausible] = ~outliers
+    pooled, used = _decided(points, plausible, path, settings, noise)
+    for _ in range(_MOVES):
+        moved = in_line(points, used, pooled, path)
+        if moved is None:
+            break
+        again, then = _decided(moved[0], plausible, moved[1], settings, noise)
+        if np.any(again.seen < _STILL_SEEN * pooled.seen):
+            break  # what the walk has followed is no edge that the sides agree about
+        points, path = moved
+        pooled, used = again, then
     measured = _measure(points, used, pooled, extent, path, settings)
     if about is not None or _may_be_rounded(measured, settings.cloud_pitch, path.closed):
         place = path.at[points.owner] + points.along
@@ -135,7 +144,7 @@ def measure_together(
             return replace(
                 measured,
                 fits=fits,
-                removed=~used | ~_in_stretch(points, fits),
+                removed=~used | ~fits.within(points),
                 half_length=settings.half_width + borrowed * path.spacing,
                 asked=asked,
             )
@@ -145,6 +154,20 @@ def measure_together(
     used &= points.away > rounded[points.owner, points.side]
     pooled = fitted_again(points[used], path, settings, pooled)
     return _measure(points, used, pooled, extent, path, settings)
+
+
+def _decided(
+    points: SectionPoints,
+    plausible: np.ndarray,
+    path: EdgePath,
+    settings: PatchSettings,
+    noise: float,
+) -> tuple[SideFits, np.ndarray]:
+    """Sides as neighbours decide them together, and which points are theirs, (n,) bool."""
+    pooled, outliers = cleaned(points[plausible], path, settings, noise)
+    used = plausible.copy()
+    used[plausible] = ~outliers
+    return replace(pooled, stretch=agreed_stretches(pooled.stretch, path)), used
 
 
 def _measure(
@@ -159,7 +182,7 @@ def _measure(
     own = sum_stretches(evened_moments(points[used], path, settings), pooled.stretch)
     *curvature, asked = shared_curvature(pooled, path, settings.half_width)
     fits, borrowed_from = _supplied_fits(own, pooled, curvature, path, settings.half_width)
-    removed = ~used | ~_in_stretch(points, fits)
+    removed = ~used | ~fits.within(points)
     local = np.sqrt(pooled.variance) * pooled.reach
     supplied = np.all(own[..., 0] >= _SUPPLIED, axis=1)
     return Measured(
@@ -317,9 +340,3 @@ def _extent(points: SectionPoints, path: EdgePath, cloud_pitch: float) -> tuple[
         ends = [float(np.partition(side, third)[third]) for side in sides]
         extent[k] = min(ends) if k else max(ends)
     return extent[0], extent[1]
-
-
-def _in_stretch(points: SectionPoints, fits: SideFits) -> np.ndarray:
-    begins = points.of_their_sides(fits.begins)
-    ends = points.of_their_sides(fits.ends)
-    return (points.away >= begins) & (points.away < ends)

@@ -157,6 +157,32 @@ def solve(
     )
 
 
+def without_bias(
+    coefficients: np.ndarray, inverse: np.ndarray, summed: np.ndarray, variance: np.ndarray
+) -> np.ndarray:
+    """Coefficients (…, 4) without what they owe to noise in the terms themselves.
+
+    A point's noise moves s and q = (s² + n²)/2 as well as the residual F. Their products have the
+    mean variance · ∇t · ∇F for each term t, which a least-squares fit takes for slope and curvature
+    (errors in variables; Fuller, Measurement Error Models, 1987). A bent side that begins far from
+    the edge for its length seems too bent, and where it is drawn out to the edge it is off by as
+    much as the noise, however many points there are. To first order: noise is small beside the
+    side's length.
+
+    Parameters
+    ----------
+    coefficients, inverse : as `solve` gives them
+    summed, variance : as it takes them
+    """
+    number, away, half_square, height = (summed[..., k] for k in (0, 1, 2, 4))
+    c1, c2, c3 = (coefficients[..., k] for k in range(1, _TERMS))
+    shared = np.zeros(coefficients.shape)
+    shared[..., 1] = -c1 * number - c2 * away
+    shared[..., 2] = height - c1 * away - 2.0 * c2 * half_square
+    shared[..., 3] = -c3 * number
+    return np.asarray(coefficients - variance[..., None] * (inverse @ shared[..., None])[..., 0])
+
+
 def _inverse(normal: np.ndarray) -> np.ndarray:
     """Inverse of symmetric positive definite matrices (4, 4, …), by blocks of two rows.
 

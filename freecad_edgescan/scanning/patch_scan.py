@@ -16,6 +16,7 @@ import numpy as np
 from ..cloud.point_cloud import PointCloud
 from ..geometry.place_text import place_text
 from .automatic import Chosen, choose_parameters
+from .corner import corners
 from .edge_gate import LineGate, PointGate, heading_for, make_gate
 from .errors import ScanError
 from .fillet import gap_under_rounding
@@ -124,15 +125,17 @@ def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
     """
     if not len(edge) or not isinstance(edge.scan_lines, ScanLines):
         return
-    fits, away = edge.scan_lines.fits, float(np.median(edge.overhang))
+    lines, away = edge.scan_lines, float(np.median(edge.overhang))
+    fits = lines.fits
     begins = float(np.median(fits.begins.min(axis=1)))
     middle = edge.points[len(edge) // 2]
     beside = cloud.points[cloud.tree.query(middle)[1]]
     pitch = float(cloud.local_pitch(beside[None])[0, 0])
-    # Sides that curl towards each other have no edge but under a rounding that touches both.
-    half = 0.5 * float(np.median(edge.angle))
+    # Sides that curl towards each other have no edge but under a rounding that touches both. The
+    # faces of a plate meet in no other way: sides that curl apart were nearer each other before.
+    half = float(np.median(corners(lines.frames, fits).half_angle))
     rounded = float(gap_under_rounding(np.median(fits.begins.max(axis=1)), half))
-    curl = np.abs(fits.coefficients[..., 2]) * (fits.ends - fits.begins) / fits.reach
+    curl = -fits.coefficients[..., 2] * (fits.ends - fits.begins) / fits.reach
     curled = float(np.median(curl.sum(axis=1))) > _CURLED
     if away > begins + _BESIDE * pitch or (curled and away > rounded + _BESIDE_CURLED * pitch):
         raise ScanError(

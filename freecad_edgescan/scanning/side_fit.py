@@ -27,6 +27,7 @@ from .normal_equations import (
     solve,
     square_forms,
     sums_of_terms,
+    without_bias,
 )
 from .section import SectionPoints
 
@@ -141,6 +142,16 @@ class SideFits:
         """Distance from the edge where the stretch ends, (m, 2) mm."""
         return self.reach * BLOCK_EDGES[self.stretch[..., 1]]
 
+    @property
+    def seen(self) -> np.ndarray:
+        """How much of each side most sections see, (2,) mm."""
+        return np.asarray(np.median(self.ends - self.begins, axis=0))
+
+    def within(self, points: SectionPoints) -> np.ndarray:
+        """Whether the points lie in the stretch of their own side, (n,) bool."""
+        begins, ends = (points.of_their_sides(each) for each in (self.begins, self.ends))
+        return np.asarray((points.away >= begins) & (points.away < ends))
+
     def position_covariance(self, terms: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Covariance (m, 2, 2) of the two sides' positions at terms (m, 2, 4), in reaches².
 
@@ -204,6 +215,9 @@ def choose_stretches(
     fits = solve(summed, variance, curvature[..., None], curvature_sigma)
     coefficients, inverse, misfit, count = fits
     degrees = np.maximum(count - 3.0, 1.0)
+    if together:  # a few points scatter by more than what they are biased by
+        known = np.minimum(misfit / degrees, variance)
+        coefficients = without_bias(coefficients, inverse, summed, known)
     ratio = misfit / degrees / variance
     # Mean residual of every block under every stretch's fit, times the root of its points' number.
     number = moments[..., 0]
@@ -326,6 +340,7 @@ def fit_summed(
     variance = np.square(noise / reach)
     coefficients, inverse, misfit, count = solve(summed, variance, curvature, curvature_sigma)
     spread = misfit / np.maximum(count - 3.0, 1.0)
+    coefficients = without_bias(coefficients, inverse, summed, np.minimum(spread, variance))
     return SideFits(
         reach,
         coefficients,

@@ -42,7 +42,10 @@ def test_the_edge_of_a_plate_of_a_few_pitches_is_found(thickness):
 
 @pytest.mark.parametrize(
     ("thickness", "seed"),
-    [*((thickness, 1) for thickness in (0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2)), (0.8, 6), (0.9, 2)],
+    [
+        *((thickness, 1) for thickness in (0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2)),
+        *((0.8, 6), (0.9, 2), (1.0, 5), (1.0, 6), (1.0, 9)),
+    ],
 )
 def test_the_two_faces_of_a_thin_plate_are_not_bent_into_an_edge(thickness, seed):
     try:

@@ -119,3 +119,21 @@ def test_the_stated_variance_is_the_scatter_of_the_fits():
         stated.extend((noise / REACH) ** 2 * fits.inverse[0, :, 0, 0])
         assert fits.variance[0] == pytest.approx([(noise / REACH) ** 2] * 2, rel=0.6)
     assert np.std(c0) == pytest.approx(np.sqrt(np.mean(stated)), rel=0.1)
+
+
+def test_a_bent_side_that_begins_far_from_the_edge_is_drawn_out_without_bias():
+    """Noise moves the circle's own terms; its mean error shrinks with the points nevertheless."""
+    noise, radius = 0.05, 30.0
+    stretch = np.array([[[8, BLOCKS]] * 2])
+    wanted = coefficients_of_circle(radius, 0.0, 0.0)
+    expected, sigma = np.full((1, 2), wanted[2]), np.full((1, 2), 0.3)
+    seen = []
+    for seed in range(300):
+        points = side_points(circle(radius), noise, seed=seed)
+        summed = sum_stretches(block_moments(points, 1, REACH), stretch)
+        fits = fit_summed(summed, REACH, np.full((1, 2), noise), stretch, expected, sigma)
+        seen.extend(fits.coefficients[0, :, :3] - wanted)
+    certain = np.std(seen, axis=0) / np.sqrt(len(seen))
+    assert (np.abs(np.mean(seen, axis=0)) < 3.0 * certain).all()
+    # That many see far less than what noise and bend have in common, three quarters of the noise.
+    assert certain[0] * REACH < 0.1 * noise
