@@ -174,13 +174,19 @@ def without_bias(
     coefficients, inverse : as `solve` gives them
     summed, variance : as it takes them
     """
+    shared = owed_to_noise(coefficients, summed)
+    return np.asarray(coefficients - variance[..., None] * (inverse @ shared[..., None])[..., 0])
+
+
+def owed_to_noise(coefficients: np.ndarray, summed: np.ndarray) -> np.ndarray:
+    """What a unit of noise variance adds to the right sides (…, 4) of normal equations (…, 15)."""
     number, away, half_square, height = (summed[..., k] for k in (0, 1, 2, 4))
     c1, c2, c3 = (coefficients[..., k] for k in range(1, _TERMS))
     shared = np.zeros(coefficients.shape)
     shared[..., 1] = -c1 * number - c2 * away
     shared[..., 2] = height - c1 * away - 2.0 * c2 * half_square
     shared[..., 3] = -c3 * number
-    return np.asarray(coefficients - variance[..., None] * (inverse @ shared[..., None])[..., 0])
+    return shared
 
 
 def _inverse(normal: np.ndarray) -> np.ndarray:

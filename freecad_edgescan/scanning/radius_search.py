@@ -15,11 +15,11 @@ import numpy as np
 from .agreed_shape import agreed_shape, shape_evidence
 from .normal_equations import BLOCK_EDGES
 from .rounded_rows import Rounded
-from .rounded_strip import COARSE, FINE, WIDEST, Expected, RoundedStrip, moved
+from .rounded_strip import COARSE, FAR, FINE, WIDEST, Expected, RoundedStrip, moved
 
 __all__ = ["SeenRadii", "Settled", "of_some_radii", "settled", "some_radii"]
 
-_RADII = (0.3, 1.0, 2.0, 3.0, 4.5, 6.5, 9.0, 12.0)  # pitches
+_RADII = (0.3, 1.0, 2.0, 3.0, 4.5, 6.5, 9.0, 12.0, 16.0, 21.0)  # pitches
 _ABOUT = (0.7, 1.0, 1.4)  # times a radius that is roughly known
 
 
@@ -115,7 +115,7 @@ class Settled:
 def settled(strip: RoundedStrip, model: Rounded, expected: Expected, free: bool) -> Settled:
     """Bring a model to the points with curvatures, and a radius if free, that neighbours share."""
     if free:
-        model, _ = moved(strip, model, expected, FINE + FINE)
+        model, _ = moved(strip, model, expected, FAR + FINE)
     for _ in range(3 if free else 1):
         own = strip.summed(model, FINE[0])
         mean, covariance, agreeing = agreed_shape(

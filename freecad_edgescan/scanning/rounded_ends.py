@@ -14,7 +14,7 @@ from scipy.ndimage import convolve1d
 from .agreed_shape import shape_of_all
 from .normal_equations import BLOCK_EDGES, BLOCKS, block_of
 from .rounded_rows import Rounded
-from .rounded_strip import FINE, POOLED, Expected, RoundedStrip, moved
+from .rounded_strip import FAR, FINE, POOLED, Expected, RoundedStrip, moved
 
 __all__ = ["even_stretch", "without_far_ends"]
 
@@ -33,9 +33,11 @@ def without_far_ends(
     strip: RoundedStrip, model: Rounded, expected: Expected, lasts: np.ndarray
 ) -> np.ndarray:
     """Last blocks (m, 2) of the sides without those that bend away at their far ends."""
+    cuts: tuple[float, ...] = FAR + FINE
     for _ in range(_ROUNDS):
         mine = strip.within(BLOCK_EDGES[lasts])
-        model, _ = moved(mine, model, expected, FINE)
+        model, _ = moved(mine, model, expected, cuts)
+        cuts = FINE
         shorter = np.minimum(_shorter(mine, model, lasts), _evenly_bent(mine, model, lasts))
         if np.array_equal(shorter, lasts):
             break
@@ -66,7 +68,7 @@ def _shorter(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> np.ndarr
     """
     rows, off = strip.rows(model)
     points, away = strip.points, strip.points.away / strip.reach
-    block = np.minimum(block_of(away), BLOCKS - 1)
+    block = np.clip(block_of(away), 0, BLOCKS - 1)
     bins = (points.owner * 2 + points.side) * BLOCKS + block
     mode = "wrap" if strip.closed else "constant"
 

@@ -24,6 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .corner import Meeting, inverse_2x2
+from .normal_equations import owed_to_noise
 from .section import Frames, SectionPoints
 
 __all__ = ["CURVATURES_AND_RADIUS", "Rounded", "Rows", "equations", "rows_of", "solved"]
@@ -63,32 +64,51 @@ class Rows:
     on_arc : (n,) whether the point is on the rounding
     weights : (n, 2) of the two sides there
     touch : (m, 2, 5) terms of the touching points, but for their place along the edge
-    drift : (m, 2) of the sides along the edge
+    coefficients : (m, 2, 4) of the sides
     """
 
     residual: np.ndarray
     on_arc: np.ndarray
     weights: np.ndarray
     touch: np.ndarray
-    drift: np.ndarray
+    coefficients: np.ndarray
 
     @property
     def begins(self) -> np.ndarray:
         """Distance from the edge where the rounding touches, (m, 2)."""
         return np.asarray(self.touch[..., 1])
 
-    def summed(self, points: SectionPoints, reach: float, weight: np.ndarray) -> np.ndarray:
-        """Matrices (m, 12, 12) of the points' rows, each with its weight (n,)."""
+    def summed(
+        self,
+        points: SectionPoints,
+        reach: float,
+        weight: np.ndarray,
+        variance: np.ndarray | float = 0.0,
+    ) -> np.ndarray:
+        """Matrices (m, 12, 12) of the points' rows.
+
+        Parameters
+        ----------
+        points : the same points
+        reach : mm
+        weight : (n,) of each point
+        variance : (m, 2) of their noise, whose bias is taken off (see `without_bias`); a point on
+            the rounding has none
+        """
         sections = len(self.touch)
         part = ~self.on_arc & (weight > 0.0)
         away, height, along = (x[part] / reach for x in (points.away, points.height, points.along))
         terms = (np.ones_like(away), away, 0.5 * (away**2 + height**2), along, height)
         bins = points.owner[part] * 2 + points.side[part]
-        sides = _products(terms, bins, weight[part], 2 * sections)
+        sides = _products(terms, bins, weight[part], 2 * sections).reshape(sections, 2, 5, 5)
+        owed = owed_to_noise(self.coefficients, sides[..., 0, :])
+        owed *= np.broadcast_to(variance, owed.shape[:2])[..., None]
+        sides[..., :-1, -1] -= owed
+        sides[..., -1, :-1] -= owed
         total = np.zeros((sections, _SIZE, _SIZE))
         for side in range(2):
             at = slice(_TERMS * side, _TERMS * (side + 1))
-            total[:, at, at] = sides[side::2]
+            total[:, at, at] = sides[:, side]
         part = self.on_arc & (weight > 0.0)
         along, (a, b) = points.along[part] / reach, self.weights[part].T
         of_arc = (a, a * along, b, b * along, 1.0 - a - b, self.residual[part])
@@ -102,7 +122,7 @@ class Rows:
         for side in range(2):
             spread[:, _TERMS * side : _TERMS * (side + 1), 2 * side] = self.touch[:, side]
             spread[:, _TERMS * side + 3, 2 * side + 1] = 1.0
-            spread[:, _TERMS * side + 4, 2 * side + 1] = self.drift[:, side]
+            spread[:, _TERMS * side + 4, 2 * side + 1] = self.coefficients[:, side, 3]
         spread[:, _RADIUS, 4] = spread[:, _RESIDUAL, 5] = 1.0
         return spread
 
@@ -137,11 +157,11 @@ def rows_of(frames: Frames, model: Rounded, points: SectionPoints, reach: float)
     inverse = inverse_2x2(centre.gradient)[owner]
     weights = np.einsum("na,nak->nk", arm / distance[:, None], inverse)
     on_arc = (weights > 0.0).all(axis=1) & centre.found[owner]
-    mine, drift = c[owner, side], c[..., 3]
+    mine = c[owner, side]
     flat = mine[:, 0] + mine[:, 1] * away + 0.5 * mine[:, 2] * (away**2 + height**2)
-    drifted = np.where(on_arc, np.sum(weights * drift[owner], axis=1), mine[:, 3]) * along
+    drifted = np.where(on_arc, np.sum(weights * c[owner, :, 3], axis=1), mine[:, 3]) * along
     residual = np.where(on_arc, distance - radius[owner], height - flat) - drifted
-    return Rows(residual, on_arc, weights, touch, drift)
+    return Rows(residual, on_arc, weights, touch, c)
 
 
 def equations(summed: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

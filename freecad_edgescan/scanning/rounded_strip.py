@@ -14,10 +14,22 @@ from .patch_section import PatchSettings
 from .rounded_rows import CURVATURES_AND_RADIUS, Rounded, Rows, rows_of, solved
 from .section import Frames, SectionPoints
 
-__all__ = ["COARSE", "FINE", "POOLED", "WIDEST", "Expected", "RoundedStrip", "moved", "stepped"]
+__all__ = [
+    "COARSE",
+    "FAR",
+    "FINE",
+    "POOLED",
+    "WIDEST",
+    "Expected",
+    "RoundedStrip",
+    "moved",
+    "stepped",
+]
 
 POOLED = 4  # sections on each side that decide together
-COARSE, FINE = (5.0, 3.0), (3.0, 3.0)  # standard deviations beyond which a point is no point
+# Standard deviations beyond which a point is no point, step by step: from a radius that was one of
+# a few, from sides that were fitted by themselves, and near the end.
+FAR, COARSE, FINE = (20.0, 10.0, 5.0), (5.0, 3.0), (3.0, 3.0)
 WIDEST = 0.6  # of a side, that a rounding may take
 _SMALLEST = 0.05  # pitches
 _MOST_CHANGED = 0.4  # of a radius, and half a pitch, in one step
@@ -126,7 +138,7 @@ class RoundedStrip:
         """Rows (m, 12, 12) of each section's own points within so many standard deviations."""
         rows, off = self.rows(model)
         weight = self.crowd * (np.abs(off) < cut) / self._sigma(rows) ** 2
-        return rows.summed(self.points, self.reach, weight)
+        return rows.summed(self.points, self.reach, weight, np.square(self.noise))
 
     def pooled(self, summed: np.ndarray, width: int) -> np.ndarray:
         """The same of neighbours, too, each point once."""

@@ -66,9 +66,12 @@ def _sure(edge: ScannedEdge, settings: PatchSettings) -> bool:
     if turn < settings.min_angle:
         return False
     # A kink stands out from the smooth surface that explains it best by a share of its turn times
-    # the length of its sides; in noise, a bent surface looks like a small one.
+    # the length of its sides; in noise, a bent surface looks like a small one. Where the sides
+    # begin away from the edge, the turn between them is spread out, as that of a smooth surface is.
     if isinstance(edge.scan_lines, ScanLines):
-        length = float(np.median(edge.scan_lines.fits.ends, axis=0).min())
+        fits = edge.scan_lines.fits
+        begins, ends = (np.median(each, axis=0) for each in (fits.begins, fits.ends))
+        length = float(np.min(np.square(1.0 - begins / ends) * ends))
         noise = max(settings.noise, _LEAST_NOISE * settings.cloud_pitch)
         if turn * length < _STANDS_OUT * noise:
             return False
