@@ -17,6 +17,7 @@ from scipy.ndimage import convolve1d
 
 from .normal_equations import PRIOR_SIGMA
 from .rounded_rows import CURVATURES_AND_RADIUS, equations
+from .side_fit import MOST_CURVED
 
 __all__ = ["agreed_shape", "shape_evidence", "shape_of_all"]
 
@@ -61,6 +62,8 @@ def agreed_shape(
         free = taken[1] - covariance + 1e-3 * taken[1]
         off = np.einsum("mi,mij,mj->m", apart, np.linalg.inv(free), apart)
         better = (np.abs(off) <= _AGREE) & (agreeing == agreeing.max())
+        # What curls like a rounding says nothing about the side.
+        better |= np.any(np.abs(taken[0][:, :2]) > MOST_CURVED, axis=1)
         taken = (
             np.where(better[:, None], mean, taken[0]),
             np.where(better[:, None, None], covariance, taken[1]),

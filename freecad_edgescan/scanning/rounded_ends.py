@@ -16,7 +16,7 @@ from .normal_equations import BLOCK_EDGES, BLOCKS, block_of
 from .rounded_rows import Rounded
 from .rounded_strip import FAR, FINE, POOLED, Expected, RoundedStrip, moved
 
-__all__ = ["even_stretch", "without_far_ends"]
+__all__ = ["beyond_rounding", "even_stretch", "without_far_ends"]
 
 _ROUNDS = 5
 _FAR_END = 3.5  # standard deviations by which the mean of a block, or of a pitch, may be off
@@ -27,6 +27,13 @@ _LEAST_SIDE = 2.0  # pitches
 _FEW = 3  # points of a block that count
 _LOST = 0.25  # share of them that may be off
 _NEARER, _OTHERWISE = 0.65, 2.3  # share of a side, and standard deviations it may be bent otherwise
+
+
+def beyond_rounding(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> np.ndarray:
+    """Last blocks (m, 2) of the sides; where one ends in the rounding, where most others end."""
+    begins = strip.rows(model)[0].begins
+    inside = BLOCK_EDGES[lasts] < begins + _LEAST_SIDE * strip.pitch
+    return np.where(inside, np.maximum(lasts, np.median(lasts, axis=0).astype(np.int64)), lasts)
 
 
 def without_far_ends(
@@ -87,8 +94,8 @@ def _shorter(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> np.ndarr
     room = BLOCK_EDGES[:-1] > (rows.begins + _LEAST_SIDE * strip.pitch)[..., None]
     crossed = room & (lost > _LOST * (lost + left)) & (lost >= _FEW)
     lasts = np.minimum(lasts, np.where(crossed, number, BLOCKS).min(axis=2))
-    # Blocks beyond the last point are no part of a side.
-    supplied = (left >= _FEW) & (number < lasts[..., None])
+    # Blocks beyond the last point are no part of a side; where it has none, its neighbours' are.
+    supplied = room & (left >= _FEW) & (number < lasts[..., None])
     last = np.where(supplied.any(axis=2), np.where(supplied, number, 0).max(axis=2), lasts - 1)
     wide = beside & (np.abs(off) < _OF_A_BLOCK)
     total, count = pooled(wide, strip.crowd * off), pooled(wide, strip.crowd)

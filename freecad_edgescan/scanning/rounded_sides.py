@@ -20,7 +20,7 @@ from .edge_path import EdgePath
 from .normal_equations import BLOCK_EDGES
 from .patch_section import PatchSettings
 from .radius_search import Settled, of_some_radii, settled, some_radii
-from .rounded_ends import even_stretch, without_far_ends
+from .rounded_ends import beyond_rounding, even_stretch, without_far_ends
 from .rounded_fits import RoundedFits
 from .rounded_rows import Rounded, solved
 from .rounded_strip import Expected, RoundedStrip, stepped
@@ -70,9 +70,11 @@ def fit_rounded(
     lasts = fits.stretch[..., 1]
     mine = strip.within(BLOCK_EDGES[lasts])
     seen = of_some_radii(mine, fits.coefficients, expected, lasts, radii)
-    shorter = without_far_ends(strip, seen.likeliest, expected, lasts)
-    if not np.array_equal(shorter, lasts):
-        lasts, mine = shorter, strip.within(BLOCK_EDGES[shorter])
+    ends = without_far_ends(
+        strip, seen.likeliest, expected, beyond_rounding(mine, seen.likeliest, lasts)
+    )
+    if not np.array_equal(ends, lasts):
+        lasts, mine = ends, strip.within(BLOCK_EDGES[ends])
         seen = of_some_radii(mine, seen.sharpest.coefficients, expected, lasts, radii)
     if seen.rounded < _UNLIKELY:
         return None
