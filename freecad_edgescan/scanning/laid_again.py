@@ -15,10 +15,18 @@ from .edge_points import Measured
 from .section import Station, frames_from_sides
 from .trace import Trace
 
-__all__ = ["laid_again"]
+__all__ = ["laid_again", "wavers"]
 
 _FEWEST = 6  # edge points
+_STRAIGHT = 0.3  # noise, by which sections may be beside their neighbours
 _BADLY_KNOWN = 3.0  # times the usual sigma, of edge points that are not asked
+
+
+def wavers(measured: Measured) -> bool:
+    """Whether the sections stand beside their edge points, one here and one there, by the noise."""
+    shift = measured.corners().shift
+    beside = shift - np.median(shift, axis=0)
+    return bool(np.median(np.linalg.norm(beside, axis=1)) > _STRAIGHT * np.median(measured.noise))
 
 
 def laid_again(

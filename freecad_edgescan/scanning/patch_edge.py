@@ -16,7 +16,7 @@ from .edge_ends import Vertices, corners_at, vertices_of, walked_to_vertices
 from .edge_gate import EdgeGate, until
 from .edge_path import path_along
 from .edge_points import Measured, measure_together
-from .laid_again import laid_again
+from .laid_again import laid_again, wavers
 from .rounded_fits import RoundedFits
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge, Vertex
@@ -54,7 +54,7 @@ def finish_edge(
     path = path_along(walked_to_vertices(cloud, trace, settings), *pitches)
     measured = measure_together(cloud, path, settings, noise)
     for _ in range(_LAID_AGAIN):
-        if not isinstance(measured.fits, RoundedFits):
+        if not isinstance(measured.fits, RoundedFits) or not wavers(measured):
             break
         path = laid_again(measured, path, *pitches)
         radius = float(np.median(measured.fits.radius)) * settings.reach

@@ -17,24 +17,21 @@ from .normal_equations import BLOCK_EDGES
 from .rounded_rows import Rounded
 from .rounded_strip import COARSE, FAR, FINE, WIDEST, Expected, RoundedStrip, moved
 
-__all__ = ["SeenRadii", "Settled", "of_some_radii", "settled", "some_radii"]
+__all__ = ["SeenRadii", "Settled", "of_some_radii", "radii_about", "settled", "some_radii"]
 
 _RADII = (0.3, 1.0, 2.0, 3.0, 4.5, 6.5, 9.0, 12.0, 16.0, 21.0)  # pitches
 _ABOUT = (0.7, 1.0, 1.4)  # times a radius that is roughly known
 
 
-def some_radii(pitch: float, about: float | None) -> np.ndarray:
-    """Radii to try, (k,), the first one as good as none.
+def some_radii(pitch: float) -> np.ndarray:
+    """Radii to try, (k,), the first one as good as none; pitch of the cloud."""
+    return np.array(_RADII) * pitch
 
-    Parameters
-    ----------
-    pitch : of the cloud
-    about : radius as far as it is known; None: any
-    """
-    radii = np.array(_RADII) * pitch
-    if about is None:
-        return radii
-    return np.append(radii[0], np.array(_ABOUT) * max(about, 2.0 * radii[0]))
+
+def radii_about(pitch: float, radius: float) -> np.ndarray:
+    """Radii to try where one is roughly known, (k,), the first one as good as none."""
+    smallest = _RADII[0] * pitch
+    return np.append(smallest, np.array(_ABOUT) * max(radius, 2.0 * smallest))
 
 
 @dataclass(frozen=True)
@@ -88,7 +85,7 @@ def of_some_radii(
         rows, off = strip.rows(model)
         if models and float(np.median(rows.begins)) > widest:
             break
-        own = strip.summed(model, FINE[0])
+        own = strip.summed(model, FINE[0], (rows, off))
         average = shape_evidence(own, model.coefficients, model.radius, strip.counted)
         odds.append(average - 0.5 * strip.misfit(off))
         models.append(model)

@@ -38,6 +38,8 @@ _MEASURED = np.array([4, 9, _RESIDUAL])
 # Of the unknowns, those that neighbouring sections share.
 CURVATURES_AND_RADIUS = np.array([2, 6, 8])
 _ON_ARC = 6  # terms of a point on the rounding
+# Farther out than so many times where the rounding touches, and so many reaches, no point is on it.
+_BEYOND, _ASIDE = 1.2, 0.1
 
 
 @dataclass(frozen=True)
@@ -146,21 +148,28 @@ def rows_of(frames: Frames, model: Rounded, points: SectionPoints, reach: float)
     place = centre.shift[:, None] + radius[:, None, None] * centre.gradient
     height = np.einsum("mka,mka->mk", centre.along_normal, place)
     touch = np.concatenate([centre.terms(place), height[..., None]], axis=-1)
-    owner, side = points.owner, points.side
     away, height, along = (x / reach for x in (points.away, points.height, points.along))
-    arm = (
-        away[:, None] * centre.along_side[owner, side]
-        + height[:, None] * centre.along_normal[owner, side]
-        - centre.shift[owner]
-    )
-    distance = np.maximum(np.hypot(arm[:, 0], arm[:, 1]), 1e-12)
-    inverse = inverse_2x2(centre.gradient)[owner]
-    weights = np.einsum("na,nak->nk", arm / distance[:, None], inverse)
-    on_arc = (weights > 0.0).all(axis=1) & centre.found[owner]
-    mine = c[owner, side]
+    mine = points.of_their_sides(c)
     flat = mine[:, 0] + mine[:, 1] * away + 0.5 * mine[:, 2] * (away**2 + height**2)
-    drifted = np.where(on_arc, np.sum(weights * c[owner, :, 3], axis=1), mine[:, 3]) * along
-    residual = np.where(on_arc, distance - radius[owner], height - flat) - drifted
+    residual = height - flat - mine[:, 3] * along
+    on_arc, weights = np.zeros(len(away), dtype=bool), np.zeros((len(away), 2))
+    # Points clearly beyond where the rounding touches need not be asked.
+    begins = touch[..., 1]
+    near = np.flatnonzero(away < points.of_their_sides(_BEYOND * np.abs(begins)) + _ASIDE)
+    owner, beside = points.owner[near], points[near]
+    to_side, to_normal = (
+        beside.of_their_sides(axes) for axes in (centre.along_side, centre.along_normal)
+    )
+    arm = away[near, None] * to_side + height[near, None] * to_normal
+    arm -= centre.shift.take(owner, axis=0)
+    distance = np.maximum(np.hypot(arm[:, 0], arm[:, 1]), 1e-12)
+    inverse = inverse_2x2(centre.gradient).take(owner, axis=0)
+    share = (arm[:, :1] * inverse[:, 0] + arm[:, 1:] * inverse[:, 1]) / distance[:, None]
+    rounded = (share > 0.0).all(axis=1) & centre.found.take(owner)
+    arc, owner, share = near[rounded], owner[rounded], share[rounded]
+    on_arc[arc], weights[arc] = True, share
+    drift = np.sum(share * c[..., 3].take(owner, axis=0), axis=1) * along[arc]
+    residual[arc] = distance[rounded] - radius.take(owner) - drift
     return Rows(residual, on_arc, weights, touch, c)
 
 

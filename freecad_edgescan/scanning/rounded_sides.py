@@ -19,7 +19,7 @@ import numpy as np
 from .edge_path import EdgePath
 from .normal_equations import BLOCK_EDGES
 from .patch_section import PatchSettings
-from .radius_search import Settled, of_some_radii, settled, some_radii
+from .radius_search import Settled, of_some_radii, radii_about, settled, some_radii
 from .rounded_ends import beyond_rounding, even_stretch, without_far_ends
 from .rounded_fits import RoundedFits
 from .rounded_rows import Rounded, solved
@@ -65,17 +65,20 @@ def fit_rounded(
     sections on each side mostly agree on the shape; None where no circle is seen between the sides
     """
     strip = RoundedStrip.of(points, noise, path, settings, counted)
-    radii = some_radii(strip.pitch, None if about is None else about / strip.reach)
     expected = Expected.nothing(len(path))
-    lasts = fits.stretch[..., 1]
-    mine = strip.within(BLOCK_EDGES[lasts])
-    seen = of_some_radii(mine, fits.coefficients, expected, lasts, radii)
-    ends = without_far_ends(
-        strip, seen.likeliest, expected, beyond_rounding(mine, seen.likeliest, lasts)
-    )
-    if not np.array_equal(ends, lasts):
+    lasts, coefficients = fits.stretch[..., 1], fits.coefficients
+    mine, seen = strip.within(BLOCK_EDGES[lasts]), None
+    if about is None:
+        seen = of_some_radii(mine, coefficients, expected, lasts, some_radii(strip.pitch))
+        first, coefficients = seen.likeliest, seen.sharpest.coefficients
+    else:
+        first = Rounded(coefficients, np.full(len(path), about / strip.reach))
+    ends = beyond_rounding(mine, first, lasts)
+    ends = without_far_ends(strip, first, expected, ends)
+    if seen is None or not np.array_equal(ends, lasts):
         lasts, mine = ends, strip.within(BLOCK_EDGES[ends])
-        seen = of_some_radii(mine, seen.sharpest.coefficients, expected, lasts, radii)
+        radii = radii_about(strip.pitch, float(np.median(first.radius)))
+        seen = of_some_radii(mine, coefficients, expected, lasts, radii)
     if seen.rounded < _UNLIKELY:
         return None
     mine, found = _between_even_ends(mine, seen.likeliest, expected, path)

@@ -134,9 +134,14 @@ class RoundedStrip:
         rows = rows_of(self.frames, model, self.points, self.reach)
         return rows, rows.residual / self._sigma(rows)
 
-    def summed(self, model: Rounded, cut: float) -> np.ndarray:
-        """Rows (m, 12, 12) of each section's own points within so many standard deviations."""
-        rows, off = self.rows(model)
+    def summed(
+        self, model: Rounded, cut: float, seen: tuple[Rows, np.ndarray] | None = None
+    ) -> np.ndarray:
+        """Rows (m, 12, 12) of each section's own points within so many standard deviations.
+
+        What `rows` says of the model may be given where it is known.
+        """
+        rows, off = seen or self.rows(model)
         weight = self.crowd * (np.abs(off) < cut) / self._sigma(rows) ** 2
         return rows.summed(self.points, self.reach, weight, np.square(self.noise))
 

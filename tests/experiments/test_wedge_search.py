@@ -42,9 +42,10 @@ def test_no_rounded_edge_is_found_somewhere_else() -> None:
     assert not any(judged.elsewhere for judged in search(30, first=200, jobs=1))
 
 
-@pytest.mark.xfail(strict=True, reason="known: a rounding half as wide as the sides beside it")
-def test_no_wedge_is_wrong_in_most_of_its_scans() -> None:
-    again = [judge((415, True, sample)) for sample in range(1, 6)]
+@pytest.mark.parametrize("number", [283, 415, 506, 543])
+def test_no_wedge_is_wrong_in_most_of_its_scans(number: int) -> None:
+    """Sides of six to eight pitches beside a rounding half as wide, in noise of 0.3 pitches."""
+    again = [judge((number, True, sample)) for sample in range(1, 6)]
     assert sum(judged.wrong for judged in again) <= 2
 
 
