@@ -19,7 +19,7 @@ from .normal_equations import PRIOR_SIGMA
 from .rounded_rows import CURVATURES_AND_RADIUS, equations
 from .side_fit import MOST_CURVED
 
-__all__ = ["agreed_shape", "shape_evidence", "shape_of_all"]
+__all__ = ["agreed_shape", "curvatures_of_each", "shape_evidence"]
 
 _WIDTHS = (8, 24, 72)  # sections on each side that may agree
 _AGREE = 11.3  # squared Mahalanobis distance beyond which two estimates of the three differ (99 %)
@@ -73,19 +73,22 @@ def agreed_shape(
     return *taken, int(np.median(agreeing))
 
 
-def shape_of_all(
-    summed: np.ndarray, radius: np.ndarray, counted: float
+def curvatures_of_each(
+    summed: np.ndarray, coefficients: np.ndarray, radius: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Curvatures and radius (3,) of all sections together, and their covariance (3, 3).
+    """Curvatures (m, 2) that each section's own points say, and their variances (m, 2).
 
     Parameters
     ----------
-    summed, radius, counted : see `agreed_shape`
+    summed : (m, 12, 12) rows of each section's own points near a model
+    coefficients, radius : of the model, (m, 2, 4) and (m,); near it the curvatures are expected
     """
-    information, said = (part.sum(axis=0) / counted for part in _of_shape(summed, radius))
-    expected = np.append(PRIOR_SIGMA[[2, 2]], _ANY_RADIUS)
-    covariance = np.linalg.inv(information + np.diag(1.0 / expected**2))
-    return covariance @ said, covariance
+    information, said = _of_shape(summed, radius)
+    loose = np.append(PRIOR_SIGMA[[2, 2]], 1.0)
+    there = np.concatenate([coefficients[..., 2], radius[:, None]], axis=1)
+    covariance = np.linalg.inv(information + np.diag(1.0 / loose**2))
+    mean = np.einsum("mij,mj->mi", covariance, said + there / loose**2)
+    return mean[:, :2], covariance[:, [0, 1], [0, 1]]
 
 
 def shape_evidence(

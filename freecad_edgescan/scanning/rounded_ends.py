@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.ndimage import convolve1d
 
-from .agreed_shape import shape_of_all
+from .agreed_shape import curvatures_of_each
 from .normal_equations import BLOCK_EDGES, BLOCKS, block_of
 from .rounded_rows import Rounded
 from .rounded_strip import FAR, FINE, POOLED, Expected, RoundedStrip, moved
@@ -20,6 +20,7 @@ __all__ = ["beyond_rounding", "even_stretch", "without_far_ends"]
 
 _ROUNDS = 5
 _FAR_END = 3.5  # standard deviations by which the mean of a block, or of a pitch, may be off
+_SLACK = 0.3  # noise, by which they may be off for other reasons
 _BENDING = 12.0  # standard deviations, farther off than which is another surface
 _OF_A_BLOCK = 8.0  # the same, of a side's last block
 _MOST_BENT = 0.25  # of an edge, at each end
@@ -59,11 +60,15 @@ def _evenly_bent(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> np.n
     firsts = np.minimum(np.searchsorted(BLOCK_EDGES, near), lasts)
     nearer = strip.within(BLOCK_EDGES[firsts])
     (all_of_it, known), (seen, less_known) = (
-        shape_of_all(part.summed(model, FINE[0]), model.radius, strip.counted)
+        curvatures_of_each(part.summed(model, FINE[0]), model.coefficients, model.radius)
         for part in (strip, nearer)
     )
-    free = np.maximum(np.diag(less_known - known), 1e-3 * np.diag(known))
-    bent = np.abs(seen - all_of_it)[:2] > _OTHERWISE * np.sqrt(free[:2])
+    # A side may be bent otherwise at the other end of the edge; each section is asked by itself.
+    weight = 1.0 / np.maximum(less_known - known, 1e-3 * known)
+    other = np.abs(np.sum(weight * (seen - all_of_it), axis=0)) / weight.sum(axis=0)
+    sagitta = 0.125 * other * np.square(BLOCK_EDGES[lasts] - begins)
+    by_chance = _OTHERWISE * np.sqrt(strip.counted / weight.sum(axis=0))
+    bent = (other > by_chance) & (sagitta > _SLACK * strip.noise)
     return np.where(bent, firsts, lasts)
 
 
@@ -99,12 +104,17 @@ def _shorter(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> np.ndarr
     last = np.where(supplied.any(axis=2), np.where(supplied, number, 0).max(axis=2), lasts - 1)
     wide = beside & (np.abs(off) < _OF_A_BLOCK)
     total, count = pooled(wide, strip.crowd * off), pooled(wide, strip.crowd)
-    mean = total / np.sqrt(np.maximum(count, 1.0) * strip.counted)
     bent, beyond = (
         np.take_along_axis(part, last[..., None], axis=2)[..., 0]
-        for part in (np.abs(mean) > _FAR_END, room)
+        for part in (_is_off(strip, total, count), room)
     )
     return np.asarray(last + 1 - (bent & beyond))
+
+
+def _is_off(strip: RoundedStrip, total: np.ndarray, count: np.ndarray) -> np.ndarray:
+    """Whether the mean of so many residuals is off, by more than chance and by enough to matter."""
+    by_chance = _FAR_END * np.sqrt(np.maximum(count, 1.0) * strip.counted)
+    return np.asarray(np.abs(total) > np.maximum(by_chance, _SLACK * count))
 
 
 def even_stretch(
@@ -124,7 +134,7 @@ def even_stretch(
         np.bincount(3 * bins + kind, weights=part, minlength=3 * pitches).reshape(-1, 3)
         for part in (strip.crowd[near] * off[near], strip.crowd[near])
     )
-    bent = np.abs(total) > _FAR_END * np.sqrt(np.maximum(count, 1.0) * strip.counted)
+    bent = _is_off(strip, total, count)
     even = np.flatnonzero(~bent.any(axis=1) & (count.sum(axis=1) > 0))
     most = _MOST_BENT * pitches
     if not len(even) or even[0] > most or pitches - 1 - even[-1] > most:

@@ -15,6 +15,7 @@ begins are one question with one answer (`rounded_rows`):
 from __future__ import annotations
 
 import numpy as np
+from scipy.ndimage import convolve1d
 
 from .edge_path import EdgePath
 from .normal_equations import BLOCK_EDGES
@@ -23,7 +24,7 @@ from .radius_search import Settled, of_some_radii, radii_about, settled, some_ra
 from .rounded_ends import beyond_rounding, even_stretch, without_far_ends
 from .rounded_fits import RoundedFits
 from .rounded_rows import Rounded, solved
-from .rounded_strip import Expected, RoundedStrip, stepped
+from .rounded_strip import POOLED, Expected, RoundedStrip, stepped
 from .section import SectionPoints
 from .side_fit import SideFits
 from .stop import GIVEN_ENDS
@@ -35,6 +36,7 @@ _UNLIKELY = 0.02  # probability below which a rounding, or none, is left out of 
 _NO_CIRCLE = 2.0  # mean square of the points about a rounding, in variances, that is none
 _OF_A_CIRCLE = 5.0  # standard deviations, farther off than which is another surface
 _OF_A_SECTION = 3.5  # the same, when a section is fitted by itself
+_WORSE, _SOME = 0.5, 0.1  # variances by which they may fit worse, and in how many sections
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
@@ -85,6 +87,8 @@ def fit_rounded(
     if _scatter_about_circle(mine, found.model) > _NO_CIRCLE:
         return None
     together, borrowed = _section_by_section(mine, found, fits, lasts)
+    if _worse_than_alone(mine, together, fits):
+        return None
     if seen.rounded < 1.0 - _UNLIKELY:
         sharp = settled(mine, seen.sharpest, expected, free=False)
         other, _ = _section_by_section(mine, sharp, fits, lasts)
@@ -108,6 +112,29 @@ def _between_even_ends(
         strip = even
         found = settled(strip, model, expected, free=True)
     return strip, found
+
+
+def _worse_than_alone(strip: RoundedStrip, together: RoundedFits, alone: SideFits) -> bool:
+    """Whether somewhere along the edge the points of the sides fit worse to them than before.
+
+    The sides that were fitted by themselves are known to be smooth within the noise.
+    """
+    points = strip.points
+    rows, off = strip.rows(Rounded(together.coefficients, together.radius))
+    before = alone.residuals(points) / (strip.reach * points.of_their_sides(strip.noise))
+    both = alone.within(points) & together.within(points) & ~rows.on_arc
+    both &= np.abs(before) < _OF_A_SECTION
+    gained = np.minimum(off[both] ** 2, 9.0) - np.square(before[both])
+    mode = "wrap" if strip.closed else "constant"
+    total, count = (
+        convolve1d(
+            np.bincount(points.owner[both], weights=part, minlength=len(strip.frames)),
+            np.ones(2 * POOLED + 1),
+            mode=mode,
+        )
+        for part in (gained, np.ones(len(gained)))
+    )
+    return bool(np.mean(total > _WORSE * np.maximum(count, 1.0)) > _SOME)
 
 
 def _scatter_about_circle(strip: RoundedStrip, model: Rounded) -> float:
@@ -138,9 +165,7 @@ def _section_by_section(
         model = stepped(strip, model, unknown)
     rows, off = strip.rows(model)
     both = np.stack([covariance[:, :4, :4], covariance[:, 4:8, 4:8]], axis=1)
-    used = (np.abs(off) < _OF_A_SECTION) & ~rows.on_arc
-    bins = (strip.points.owner * 2 + strip.points.side)[used]
-    count = np.bincount(bins, minlength=lasts.size).reshape(-1, 2).astype(float)
+    count = _points_of_sides(strip, (np.abs(off) < _OF_A_SECTION) & ~rows.on_arc, borrowed)
     firsts = np.searchsorted(BLOCK_EDGES, np.clip(rows.begins, 0.0, None))
     firsts = np.minimum(firsts, lasts - 1)
     variance = np.square(strip.noise)
@@ -161,3 +186,15 @@ def _section_by_section(
         ),
         borrowed,
     )
+
+
+def _points_of_sides(strip: RoundedStrip, used: np.ndarray, borrowed: np.ndarray) -> np.ndarray:
+    """Number of points (m, 2) of each section's sides, those that it has borrowed among them."""
+    bins = (strip.points.owner * 2 + strip.points.side)[used]
+    own = np.bincount(bins, minlength=2 * len(borrowed)).reshape(-1, 2).astype(float)
+    mode, count = "wrap" if strip.closed else "constant", own.copy()
+    for width in np.unique(borrowed[borrowed > 0]).astype(int):
+        asked = borrowed == width
+        window = np.ones(2 * width + 1) / strip.counted
+        count[asked] = convolve1d(own, window, axis=0, mode=mode)[asked]
+    return count
