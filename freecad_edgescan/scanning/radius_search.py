@@ -58,12 +58,14 @@ class SeenRadii:
         others = self.odds[1:]
         return self.models[1 + int(np.argmax(others))] if len(others) else self.sharpest
 
-    @property
-    def rounded(self) -> float:
-        """Probability of a rounding that is wider than the smallest."""
-        if len(self.odds) < 2:
-            return 0.0
-        likely = np.exp(self.odds - self.odds.max())
+    def rounded(self, strip: RoundedStrip, found: Rounded) -> float:
+        """Probability of a rounding that is wider than the smallest.
+
+        Between some radii the points may have none that they fit; the one that was found from the
+        likeliest of them counts as another.
+        """
+        odds = np.append(self.odds, _evidence(strip, found))
+        likely = np.exp(odds - odds.max())
         return float(likely[1:].mean() / (likely[0] + likely[1:].mean()))
 
 
@@ -82,15 +84,20 @@ def of_some_radii(
         model = Rounded(coefficients, np.full(len(strip.frames), radius))
         model, _ = moved(strip, model, expected, COARSE, free=False)
         model = settled(strip, model, expected, free=False).model
-        rows, off = strip.rows(model)
-        if models and float(np.median(rows.begins)) > widest:
+        if models and float(np.median(strip.rows(model)[0].begins)) > widest:
             break
-        own = strip.summed(model, FINE[0], (rows, off))
-        average = shape_evidence(own, model.coefficients, model.radius, strip.counted)
-        odds.append(average - 0.5 * strip.misfit(off))
+        odds.append(_evidence(strip, model))
         models.append(model)
         coefficients = model.coefficients
     return SeenRadii(models, np.array(odds))
+
+
+def _evidence(strip: RoundedStrip, model: Rounded) -> float:
+    """Logarithm of how likely the points are with a model's radius, whatever the curvatures."""
+    seen = strip.rows(model)
+    own = strip.summed(model, FINE[0], seen)
+    average = shape_evidence(own, model.coefficients, model.radius, strip.counted)
+    return average - 0.5 * strip.misfit(seen[1])
 
 
 @dataclass(frozen=True)

@@ -36,6 +36,7 @@ _UNLIKELY = 0.02  # probability below which a rounding, or none, is left out of 
 _NO_CIRCLE = 2.0  # mean square of the points about a rounding, in variances, that is none
 _OF_A_CIRCLE = 5.0  # standard deviations, farther off than which is another surface
 _OF_A_SECTION = 3.5  # the same, when a section is fitted by itself
+_LEAST_SIDE, _NARROW = 1.5, 0.3  # pitches of a side beyond the rounding, and share with less
 _WORSE, _SOME = 0.5, 0.1  # variances by which they may fit worse, and in how many sections
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
@@ -81,18 +82,22 @@ def fit_rounded(
         lasts, mine = ends, strip.within(BLOCK_EDGES[ends])
         radii = radii_about(strip.pitch, float(np.median(first.radius)))
         seen = of_some_radii(mine, coefficients, expected, lasts, radii)
-    if seen.rounded < _UNLIKELY:
+    whole, (mine, found) = mine, _between_even_ends(mine, seen.likeliest, expected, path)
+    rounded = seen.rounded(whole, found.model)
+    if rounded < _UNLIKELY:
         return None
-    mine, found = _between_even_ends(mine, seen.likeliest, expected, path)
     if _scatter_about_circle(mine, found.model) > _NO_CIRCLE:
+        return None
+    beyond = BLOCK_EDGES[lasts] - mine.rows(found.model)[0].begins
+    if np.quantile(beyond, _NARROW, axis=0).min() < _LEAST_SIDE * mine.pitch:
         return None
     together, borrowed = _section_by_section(mine, found, fits, lasts)
     if _worse_than_alone(mine, together, fits):
         return None
-    if seen.rounded < 1.0 - _UNLIKELY:
+    if rounded < 1.0 - _UNLIKELY:
         sharp = settled(mine, seen.sharpest, expected, free=False)
         other, _ = _section_by_section(mine, sharp, fits, lasts)
-        together = together.or_else(other, 1.0 - seen.rounded)
+        together = together.or_else(other, 1.0 - rounded)
     return together, borrowed, found.agreeing
 
 
