@@ -64,7 +64,8 @@ class Measured:
     Attributes
     ----------
     frames : (m) sections
-    points : cloud points in them, and removed (n,) those that no fit used
+    points : cloud points in them, and removed (n,) those that are no side's: outliers, what lies
+        beyond a side's end, and a rounding
     fits : the sides
     noise : (m, 2) standard deviation of the points about the sides, mm
     half_length : (m,) how far along the edge, to both sides, the points of a fit reach, mm
@@ -205,18 +206,18 @@ def _may_be_rounded(measured: Measured, cloud_pitch: float, closed: bool) -> boo
     The points next to it lie below the sides, or the sides bend as if they had taken a rounding
     for a part of themselves.
     """
-    points, fits = measured.points, measured.fits
-    seen = measured.corners()
-    foot = np.einsum("mki,mi->mk", measured.frames.sides, seen.point - measured.frames.origin)
-    beside = points.away - foot[points.owner, points.side]
-    # Under a wide rounding nothing is left next to the edge.
-    nearest = max(float(np.quantile(beside, _FIRST)), 0.0)
-    top = points[beside < nearest + _TOP * cloud_pitch]
-    below = -fits.residuals(top) / np.maximum(measured.noise[top.owner, top.side], 1e-12)
-    count = np.unique(top.index).size
     radius, _ = measured.rounding(cloud_pitch, closed)
     if np.mean(np.isfinite(radius)) > _MOSTLY:
         return True
+    points, fits = measured.points, measured.fits
+    seen = measured.corners()
+    foot = np.einsum("mki,mi->mk", measured.frames.sides, seen.point - measured.frames.origin)
+    beside = points.away - points.of_their_sides(foot)
+    # Under a wide rounding nothing is left next to the edge.
+    nearest = max(float(np.quantile(beside, _FIRST)), 0.0)
+    top = points[beside < nearest + _TOP * cloud_pitch]
+    below = -fits.residuals(top) / np.maximum(top.of_their_sides(measured.noise), 1e-12)
+    count = np.unique(top.index).size
     if np.median(below) > _BELOW and np.mean(below) * np.sqrt(count) > _SURELY_BELOW:
         return True
     sagitta = 0.125 * fits.coefficients[..., 2] * (fits.ends - fits.begins) ** 2 / fits.reach

@@ -155,8 +155,7 @@ class RoundedStrip:
 
     def within(self, ends: np.ndarray) -> RoundedStrip:
         """Only the points nearer to the edge than the ends of their sides, (m, 2)."""
-        near = self.points.away < self.reach * ends[self.points.owner, self.points.side]
-        return self._of(near)
+        return self._of(self.points.away < self.reach * self.points.of_their_sides(ends))
 
     def between(self, first: float, last: float) -> RoundedStrip:
         """Only the points between two places along the edge, in pitches."""
@@ -168,9 +167,8 @@ class RoundedStrip:
         )
 
     def _sigma(self, rows: Rows) -> np.ndarray:
-        owner = self.points.owner
-        on_side = self.noise[owner, self.points.side]
-        return np.where(rows.on_arc, self.noise.mean(axis=1)[owner], on_side)
+        of_both = self.noise.mean(axis=1).take(self.points.owner)
+        return np.where(rows.on_arc, of_both, self.points.of_their_sides(self.noise))
 
 
 def moved(

@@ -261,3 +261,23 @@ class ExtrudedPart:
 @pytest.fixture(scope="session")
 def extruded():
     return ExtrudedPart
+
+
+def make_strewn_box(size, pitch, noise, seed=0):
+    """A box with one corner in the origin, its points at random over its faces, one a pitch²."""
+    rng = np.random.default_rng(seed)
+    size, faces = np.asarray(size), []
+    for axis in range(3):
+        others = [k for k in range(3) if k != axis]
+        count = int(np.prod(size[others]) / pitch**2)
+        for level in (0.0, size[axis]):
+            points = np.empty((count, 3))
+            points[:, others] = rng.uniform(0.0, size[others], (count, 2))
+            points[:, axis] = level + rng.normal(0.0, noise, count)
+            faces.append(points)
+    return PointCloud(np.vstack(faces))
+
+
+@pytest.fixture(scope="session")
+def strewn_box():
+    return make_strewn_box

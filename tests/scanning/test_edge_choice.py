@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
@@ -19,29 +21,14 @@ PITCH = 0.5
 TOP_FRONT = np.array([12.0, 0.0, 12.0])  # the middle of an edge along x
 
 
-def box_cloud(seed: int) -> es.PointCloud:
-    """Six faces, one point for each pitch², with noise of a tenth of the pitch."""
-    rng = np.random.default_rng(seed)
-    faces = []
-    for axis in range(3):
-        others = [k for k in range(3) if k != axis]
-        count = int(np.prod(SIZE[others]) / PITCH**2)
-        for level in (0.0, SIZE[axis]):
-            points = np.empty((count, 3))
-            points[:, others] = rng.uniform(0.0, SIZE[others], (count, 2))
-            points[:, axis] = level + rng.normal(0.0, 0.1 * PITCH, count)
-            faces.append(points)
-    return es.PointCloud(np.vstack(faces))
+@pytest.fixture(scope="module")
+def network(strewn_box: Callable[..., es.PointCloud]) -> es.EdgeNetwork:
+    return es.find_edges(strewn_box(SIZE, PITCH, 0.1 * PITCH, 0))
 
 
 @pytest.fixture(scope="module")
-def network() -> es.EdgeNetwork:
-    return es.find_edges(box_cloud(0))
-
-
-@pytest.fixture(scope="module")
-def scanned_anew() -> es.EdgeNetwork:
-    return es.find_edges(box_cloud(1))
+def scanned_anew(strewn_box: Callable[..., es.PointCloud]) -> es.EdgeNetwork:
+    return es.find_edges(strewn_box(SIZE, PITCH, 0.1 * PITCH, 1))
 
 
 def lengths(network: es.EdgeNetwork) -> list[float]:

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
@@ -15,24 +17,11 @@ MISSED = pytest.mark.xfail(
 )
 
 
-def plate(seed: int) -> es.PointCloud:
-    """A box's points strewn at random over its faces, one for each pitch²."""
-    rng = np.random.default_rng(seed)
-    faces = []
-    for axis in range(3):
-        others = [k for k in range(3) if k != axis]
-        count = int(np.prod(SIZE[others]) / PITCH**2)
-        for level in (0.0, SIZE[axis]):
-            points = np.zeros((count, 3))
-            points[:, others] = rng.uniform(0.0, 1.0, (count, 2)) * SIZE[others]
-            points[:, axis] = level + rng.normal(0.0, NOISE, count)
-            faces.append(points)
-    return es.PointCloud(np.vstack(faces))
-
-
 @pytest.mark.parametrize("seed", [33, 35, pytest.param(27, marks=MISSED)])
-def test_a_plate_of_ten_pitches_has_twelve_edges(seed: int) -> None:
-    network = es.find_edges(plate(seed), jobs=1)
+def test_a_plate_of_ten_pitches_has_twelve_edges(
+    strewn_box: Callable[..., es.PointCloud], seed: int
+) -> None:
+    network = es.find_edges(strewn_box(SIZE, PITCH, NOISE, seed), jobs=1)
     points = np.vstack([edge.points for edge in network.edges])
     away = np.sort(np.minimum(np.abs(points), np.abs(points - SIZE)), axis=1)
     assert np.hypot(away[:, 0], away[:, 1]).max() < PITCH
