@@ -32,6 +32,8 @@ class Corners:
     sides : (m, 2, 3) unit vectors along the two sides, away from the edge
     covariance : (m, 2, 2) mm², in the axes of `across_axes`
     shared : (m, 2, 2) mm², the part of it that neighbouring sections have in common
+    scatter : (m, axis, side) mm, the rest by the side whose points' scatter it comes from: this
+        times its transpose
     shift : (m, 2) mm, from the frame's origin, along the frame's across axes
     found : (m,) whether the sides meet near the origin
     """
@@ -42,6 +44,7 @@ class Corners:
     sides: np.ndarray
     covariance: np.ndarray
     shared: np.ndarray
+    scatter: np.ndarray
     shift: np.ndarray
     found: np.ndarray
 
@@ -146,12 +149,14 @@ def corners(frames: Frames, fits: SideFits, offset: np.ndarray | float = 0.0) ->
     sides = cross(normals, tangent[:, None])
     sides *= np.where(np.einsum("mki,mki->mk", sides, frames.sides) < 0, -1.0, 1.0)[..., None]
     foot = met.shift[:, None] - met.gradient * distance[:, None, None]
-    inverse = inverse_2x2(met.gradient)
+    inverse = reach * inverse_2x2(met.gradient)
+    of_sides, in_common = fits.position_covariance(met.terms(foot))
     covariance, shared = (
-        inverse @ (reach**2 * part) @ np.swapaxes(inverse, 1, 2)
-        for part in fits.position_covariance(met.terms(foot))
+        inverse @ part @ np.swapaxes(inverse, 1, 2) for part in (of_sides, in_common)
     )
-    return Corners(point, tangent, normals, sides, covariance, shared, met.shift * reach, met.found)
+    scatter = inverse @ root_2x2(of_sides - in_common)
+    shift = met.shift * reach
+    return Corners(point, tangent, normals, sides, covariance, shared, scatter, shift, met.found)
 
 
 def _section_distance(
@@ -176,3 +181,14 @@ def inverse_2x2(matrix: np.ndarray) -> np.ndarray:
     inverse = np.empty_like(matrix)
     inverse[:, 0, 0], inverse[:, 0, 1], inverse[:, 1, 0], inverse[:, 1, 1] = d, -b, -c, a
     return inverse / np.where(np.abs(determinant) < 1e-6, 1e-6, determinant)[:, None, None]
+
+
+def root_2x2(covariance: np.ndarray) -> np.ndarray:
+    """Symmetric matrices (m, 2, 2) whose square is the covariance (Cayley and Hamilton).
+
+    Symmetric ones are alike where covariances are; those of Cholesky or of eigenvectors need not.
+    """
+    determinant = np.prod(np.diagonal(covariance, axis1=1, axis2=2), axis=1)
+    determinant = np.sqrt(np.maximum(determinant - covariance[:, 0, 1] ** 2, 0.0))
+    size = np.sqrt(np.maximum(np.trace(covariance, axis1=1, axis2=2) + 2.0 * determinant, 1e-300))
+    return (covariance + determinant[:, None, None] * np.eye(2)) / size[:, None, None]

@@ -68,7 +68,7 @@ class Measured:
         beyond a side's end, and a rounding
     fits : the sides
     noise : (m, 2) standard deviation of the points about the sides, mm
-    half_length : (m,) how far along the edge, to both sides, the points of a fit reach, mm
+    half_length : (m, 2) how far along the edge, to both ends, the points of each side reach, mm
     asked : sections on each side that most of them ask about their sides' curvature
     supplied : (m,) whether both sides have points in the section itself
     at : (m,) places of the sections along the edge, mm
@@ -146,7 +146,7 @@ def measure_together(
                 measured,
                 fits=fits,
                 removed=~used | ~fits.within(points),
-                half_length=settings.half_width + borrowed * path.spacing,
+                half_length=_half_length(np.stack([borrowed, borrowed], axis=1), path, settings),
                 asked=asked,
             )
     rounded = _rounded_away(measured, settings, path.closed)
@@ -192,7 +192,7 @@ def _measure(
         removed,
         fits,
         local,
-        settings.half_width + borrowed_from * path.spacing,
+        _half_length(borrowed_from, path, settings),
         asked,
         supplied,
         path.at,
@@ -274,7 +274,7 @@ def _supplied_fits(
 ) -> tuple[SideFits, np.ndarray]:
     """Fit each section on its own points, and on its neighbours' too where these are too few.
 
-    And how many neighbours on each side were asked, (m,).
+    And how many neighbours before and behind were asked for points of each side, (m, 2).
     """
     reach = pooled.reach
     local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
@@ -290,7 +290,7 @@ def _supplied_fits(
             astray=pooled.astray,
         )
 
-    fits, summed, width, asked = fit(own), own, 0, np.zeros(len(own))
+    fits, summed, width, asked = fit(own), own, 0, np.zeros(own.shape[:2])
     for wider in _WIDER:
         thin = fits.inverse[..., 0, 0] > _THIN
         if not thin.any() or wider >= len(own) // 2:
@@ -300,8 +300,12 @@ def _supplied_fits(
         summed = summed + more / overlap
         width = wider
         fits = fits.or_where(thin, fit(summed))
-        asked[thin.any(axis=1)] = wider
+        asked[thin] = wider
     return fits, asked
+
+
+def _half_length(borrowed: np.ndarray, path: EdgePath, settings: PatchSettings) -> np.ndarray:
+    return np.asarray(settings.half_width + borrowed * path.spacing)
 
 
 def _plausible(

@@ -8,8 +8,9 @@ parabola over a longer stretch is taken as long as it agrees with all those over
 (Lepski, Theory of Probability and its Applications 35, 1991), so that a real change of the edge
 stays.
 
-The points are not independent: their slabs overlap, and they share what is known about the sides'
-curvature. Both are known, and with them the covariance of any weighted mean.
+The points are not independent: their slabs overlap, each side's as far as it has asked neighbours
+for points, and they share what is known about the sides' curvature. Both are known, and with them
+the covariance of any weighted mean.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .corner import Corners, across_axes
+from .corner import Corners, across_axes, root_2x2
 from .edge_points import Measured
 from .pooling import shared_between
 
@@ -115,8 +116,8 @@ class _Neighbours:
     along : (m, k) how far it is along the edge, in units of the farthest
     off : (m, k, 2) how far its point is beside the section's own, mm
     precision : (m, k) inverse variance of its own scatter, 1/mm²
-    overlap, shared : (m, k, k) correlations of own scatter, and of what is shared
-    own_root, shared_root : (m, 2, k, 2) roots of the two parts of the covariance, mm
+    parts : of the neighbours' covariance: of the scatter of each side's points, and of what is
+        shared. The correlations (m, k, k) and the roots (m, 2, k, 1 or 2), mm
     """
 
     reach: int
@@ -124,10 +125,7 @@ class _Neighbours:
     along: np.ndarray
     off: np.ndarray
     precision: np.ndarray
-    overlap: np.ndarray
-    shared: np.ndarray
-    own_root: np.ndarray
-    shared_root: np.ndarray
+    parts: list[tuple[np.ndarray, np.ndarray]]
 
     @staticmethod
     def around(
@@ -156,28 +154,25 @@ class _Neighbours:
         # What the bend of the edge explains; a parabola alone is no circle.
         turned = np.minimum(turned, _MOST_TURNED)
         explained = along**2 / (1.0 + np.sqrt(1.0 - turned**2))
-        shared_part, own_part = edge.shared, edge.covariance - edge.shared
-        scatter = np.trace(own_part, axis1=-2, axis2=-1)
-        half = measured.half_length[which]
-        # Sections of a window are numbered in their order, also over the seam of a closed edge.
-        low, high = along - half, along + half
-        common = np.minimum(high[:, :, None], high[:, None])
-        common -= np.maximum(low[:, :, None], low[:, None])
-        size = np.sqrt(4.0 * half[:, :, None] * half[:, None])
-        overlap = np.clip(common / size, 0.0, 1.0)
-        overlap[:, np.arange(len(step)), np.arange(len(step))] = 1.0
+        scatter = np.sum(np.square(edge.scatter), axis=(1, 2))
+        parts = [
+            (
+                _overlap(along, measured.half_length[which, side]),
+                np.swapaxes(edge.scatter[which, :, side : side + 1], 1, 2).copy(),
+            )
+            for side in range(2)
+        ]
         shared = shared_between(count, closed, 2 * reach, measured.asked)
         earlier = which[:, np.minimum(np.arange(len(step))[:, None], np.arange(len(step)))]
+        alike = shared[earlier, np.abs(step[:, None] - step)]
+        parts.append((alike, np.swapaxes(root_2x2(edge.shared)[which], 1, 2).copy()))
         return _Neighbours(
             reach,
             inside,
             along / farthest,
             np.einsum("mai,mki->mka", axes, away) - explained[..., None] * bend[:, None],
             1.0 / np.maximum(scatter[which], 1e-12 * float(scatter.max(initial=1e-12))),
-            overlap,
-            shared[earlier, np.abs(step[:, None] - step)],
-            np.swapaxes(_root(own_part)[which], 1, 2).copy(),
-            np.swapaxes(_root(shared_part)[which], 1, 2).copy(),
+            parts,
         )
 
     def within(self, width: int) -> np.ndarray:
@@ -216,7 +211,7 @@ class _Neighbours:
     def mean(self, weight: np.ndarray) -> _Mean:
         """Weighted mean of the neighbours."""
         parts = []
-        for alike, root in ((self.overlap, self.own_root), (self.shared, self.shared_root)):
+        for alike, root in self.parts:
             moved = weight[:, None, :, None] * root
             parts.append((moved, alike[:, None] @ moved))
         return _Mean.of(np.einsum("mk,mka->ma", weight, self.off), parts)
@@ -229,7 +224,7 @@ class _Mean:
     Attributes
     ----------
     value : (m, 2) mm
-    parts : of own scatter and of what is shared, two (m, 2, k, 2) arrays, mm: the neighbours' roots
+    parts : of each part of the covariance two (m, 2, k, 1 or 2) arrays, mm: the neighbours' roots
         times their weights, and what of these each neighbour has in common with all of them
     covariance : (m, 2, 2) mm²
     """
@@ -287,6 +282,19 @@ def _astray(near: _Neighbours, degree: int, ending: tuple[bool, bool]) -> np.nda
     return single[which]
 
 
+def _overlap(along: np.ndarray, half: np.ndarray) -> np.ndarray:
+    """Shares (m, k, k) of their points that slabs at places (m, k) have in common.
+
+    Sections of a window are numbered in their order, also over the seam of a closed edge.
+    """
+    low, high = along - half, along + half
+    common = np.minimum(high[:, :, None], high[:, None])
+    common -= np.maximum(low[:, :, None], low[:, None])
+    overlap = np.clip(common / np.sqrt(4.0 * half[:, :, None] * half[:, None]), 0.0, 1.0)
+    overlap[:, np.arange(half.shape[1]), np.arange(half.shape[1])] = 1.0
+    return overlap
+
+
 def _runs(chosen: np.ndarray) -> list[slice]:
     """Runs of neighbouring True values."""
     edges = np.flatnonzero(np.diff(np.concatenate([[0], chosen.astype(np.int8), [0]])))
@@ -304,14 +312,3 @@ def _distance(gap: np.ndarray, covariance: np.ndarray) -> np.ndarray:
 
 def _smaller(covariance: np.ndarray, other: np.ndarray) -> np.ndarray:
     return np.trace(covariance, axis1=-2, axis2=-1) < np.trace(other, axis1=-2, axis2=-1)
-
-
-def _root(covariance: np.ndarray) -> np.ndarray:
-    """Symmetric matrices (m, 2, 2) whose square is the covariance (Cayley and Hamilton).
-
-    Symmetric ones are alike where covariances are; those of Cholesky or of eigenvectors need not.
-    """
-    determinant = np.prod(np.diagonal(covariance, axis1=1, axis2=2), axis=1)
-    determinant = np.sqrt(np.maximum(determinant - covariance[:, 0, 1] ** 2, 0.0))
-    size = np.sqrt(np.maximum(np.trace(covariance, axis1=1, axis2=2) + 2.0 * determinant, 1e-300))
-    return (covariance + determinant[:, None, None] * np.eye(2)) / size[:, None, None]

@@ -101,36 +101,50 @@ def test_at_an_end_the_neighbours_are_believed_only_where_another_surface_may_be
     assert stays or abs(after) < 2.0 * SIGMA
 
 
-def test_sections_that_share_nothing_and_scatter_are_averaged_by_their_own_variance():
-    """Errors drawn with the stated covariance: what is stated of their mean is its scatter."""
+@pytest.mark.parametrize("half_lengths", [(0.25, 0.25), (0.25, 2.0)])
+def test_sections_are_averaged_by_what_their_sides_have_in_common(half_lengths):
+    """Errors drawn with the stated covariance: what is stated of their mean is its scatter.
+
+    The second side's slabs overlap; that says nothing about the points of the first one.
+    """
     off, stated = [], []
     for seed in range(200):
-        measured, edge = straight_sections(seed)
+        measured, edge = straight_sections(seed, half_lengths)
         after = smoothed(measured, edge, 0.5, closed=False, straight=True)
-        off.append(after.point[8:-8, 1])
-        stated.append(after.covariance[8:-8, 0, 0])
-    assert np.mean(stated) == pytest.approx(np.mean(np.square(off)), rel=0.15)
-    assert np.sqrt(np.mean(stated)) < 0.35 * SIGMA
+        away = np.einsum("mai,mi->ma", across_axes(measured.frames.normals), after.point)
+        off.append(away[8:-8])
+        stated.append(np.einsum("maa->ma", after.covariance)[8:-8])
+    variance = np.mean(stated, axis=(0, 1))
+    assert variance == pytest.approx(np.mean(np.square(off), axis=(0, 1)), rel=0.15)
+    assert np.sqrt(variance[0]) < 0.35 * SIGMA
 
 
-def straight_sections(seed=None):
-    """Sections on the x axis, 0.5 mm apart, that share no points, scattered across it or not."""
-    count = 41
+def straight_sections(seed=None, half_lengths=(0.25, 0.25)):
+    """Sections on the x axis, 0.5 mm apart, scattered across it or not.
+
+    The scatter is that of two sides whose slabs have these half lengths.
+    """
+    count, spacing = 41, 0.5
     one = np.ones((count, 1))
     sides = np.broadcast_to([[0.0, -1.0, 0.0], [0.0, 0.0, -1.0]], (count, 2, 3))
-    origin = np.column_stack([0.5 * np.arange(count), np.zeros((count, 2))])
+    origin = np.column_stack([spacing * np.arange(count), np.zeros((count, 2))])
     frames = frames_from_sides(origin, one * [1.0, 0.0, 0.0], sides)
     scatter = np.zeros((count, 2))
     if seed is not None:
-        scatter = SIGMA * np.random.default_rng(seed).normal(size=(count, 2))
+        rng = np.random.default_rng(seed)
+        for side, half in enumerate(half_lengths):
+            slab = np.ones(round(2.0 * half / spacing))
+            slab *= SIGMA / np.linalg.norm(slab)
+            scatter[:, side] = np.convolve(rng.normal(size=count + len(slab) - 1), slab, "valid")
     axes = across_axes(frames.normals)
     measured = SimpleNamespace(
-        frames=frames, at=origin[:, 0], half_length=np.full(count, 0.25), asked=8
+        frames=frames, at=origin[:, 0], half_length=np.tile(half_lengths, (count, 1)), asked=8
     )
     edge = SimpleNamespace(
         point=origin + np.einsum("ma,mai->mi", scatter, axes),
         covariance=np.broadcast_to(SIGMA**2 * np.eye(2), (count, 2, 2)),
         shared=np.zeros((count, 2, 2)),
+        scatter=np.broadcast_to(SIGMA * np.eye(2), (count, 2, 2)),
     )
     return measured, edge
 
