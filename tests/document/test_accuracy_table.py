@@ -28,7 +28,7 @@ from freecad_edgescan.experiments.peers import plane_pair, variation_labels  # n
 
 @pytest.fixture(scope="module")
 def rows():
-    return measure_simple_parts(5)  # as the command does
+    return measure_simple_parts(3)  # the command takes five
 
 
 def test_edge_points_are_as_near_as_promised(rows) -> None:

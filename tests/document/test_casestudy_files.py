@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -32,20 +33,35 @@ def run(folder: Path, cancel_at: float = 2.0) -> str:
     )
 
 
-def test_a_small_box_gives_all_files_and_surfaces_near_the_truth(tmp_path: Path) -> None:
-    before = list(FreeCAD.listDocuments())
-    text = run(tmp_path / "study")
-    assert list(FreeCAD.listDocuments()) == before
-    assert "read the cloud" in text and "published" in text
-    with (tmp_path / "study" / "casestudy.csv").open(newline="") as file:
+@dataclass(frozen=True)
+class Study:
+    """The folder of a study's files, what it has said, and the documents that it has left open."""
+
+    folder: Path
+    text: str
+    left_open: set[str]
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    folder = tmp_path_factory.mktemp("small") / "study"
+    before = set(FreeCAD.listDocuments())
+    text = run(folder)
+    return Study(folder, text, set(FreeCAD.listDocuments()) - before)
+
+
+def test_a_small_box_gives_all_files_and_surfaces_near_the_truth(small: Study) -> None:
+    assert small.left_open == set()
+    assert "read the cloud" in small.text and "published" in small.text
+    with (small.folder / "casestudy.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 4
     (best,) = [row for row in rows if (row["model"], row["cloud"]) == ("rotate", "whole")]
     assert float(best["true_average_mm"]) < 0.03 and float(best["true_maximum_mm"]) < 0.2
     read = Part.Shape()
-    read.read(str(tmp_path / "study" / "casestudy.step"))
+    read.read(str(small.folder / "casestudy.step"))
     assert len(read.Faces) == 1
-    doc = FreeCAD.openDocument(str(tmp_path / "study" / "casestudy.FCStd"))
+    doc = FreeCAD.openDocument(str(small.folder / "casestudy.FCStd"))
     try:
         surface = doc.getObject("Pipe1Rotate")
         assert read.Faces[0].Area == pytest.approx(surface.Shape.Area, rel=1e-6)
@@ -63,9 +79,8 @@ def test_a_small_box_gives_all_files_and_surfaces_near_the_truth(tmp_path: Path)
         FreeCAD.closeDocument(doc.Name)
 
 
-def test_when_a_start_moves_the_surfaces_follow(tmp_path: Path) -> None:
-    run(tmp_path)
-    doc = FreeCAD.openDocument(str(tmp_path / "casestudy.FCStd"))
+def test_when_a_start_moves_the_surfaces_follow(small: Study) -> None:
+    doc = FreeCAD.openDocument(str(small.folder / "casestudy.FCStd"))
     try:
         rim, base = doc.getObject("Rim1"), doc.getObject("Pipe1Base")
         for name in ("Pipe1Blend", "Pipe1Rotate"):  # their fits take a while

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -29,26 +30,53 @@ class Listener:
         return fraction < self.cancel_at
 
 
-def run(folder: Path, listener: Listener | None = None) -> str:
-    return document.make_demo(folder, listener, box=CoreBox.small(), amplitude=10.0, profiles=5)
+def run(folder: Path, listener: Listener) -> str:
+    return document.make_demo(folder, listener, box=CoreBox.small(), amplitude=10.0, profiles=9)
 
 
-def test_a_small_box_gives_edges_near_the_truth_and_all_files(tmp_path: Path) -> None:
-    listener = Listener()
-    table = run(tmp_path / "demo", listener)
-    assert table.count("GATE") == 2
-    with (tmp_path / "demo" / "corebox.csv").open(newline="") as file:
+@dataclass(frozen=True)
+class Demo:
+    """A demonstration of the small box.
+
+    Attributes
+    ----------
+    folder : of its files
+    table : that it prints
+    shares : of progress
+    left_open : documents that it has opened and not closed
+    """
+
+    folder: Path
+    table: str
+    shares: list[float]
+    left_open: set[str]
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory: pytest.TempPathFactory) -> Demo:
+    folder, listener, before = tmp_path_factory.mktemp("small"), Listener(), set(documents())
+    table = run(folder / "demo", listener)
+    return Demo(folder / "demo", table, listener.shares, set(documents()) - before)
+
+
+def documents() -> list[str]:
+    return list(FreeCAD.listDocuments())
+
+
+def test_a_small_box_gives_edges_near_the_truth_and_all_files(small: Demo) -> None:
+    assert small.table.count("GATE") == 2
+    with (small.folder / "corebox.csv").open(newline="") as file:
         rows = list(csv.DictReader(file))
     errors = np.array([float(row["error_mm"]) for row in rows])
     assert {row["edge"] for row in rows} == {"rim 1", "rim 2"}
     assert errors.mean() < 0.03
     assert errors.max() < 0.15
-    assert listener.shares == sorted(listener.shares)
-    assert listener.shares[-1] <= 1.0
+    assert small.shares == sorted(small.shares)
+    assert small.shares[-1] <= 1.0
     read = Part.Shape()
-    read.read(str(tmp_path / "demo" / "corebox.step"))
+    read.read(str(small.folder / "corebox.step"))
     assert len(read.Faces) == 2 + 2  # sweep and loft; base and fitted sweep
-    doc = FreeCAD.openDocument(str(tmp_path / "demo" / "corebox.FCStd"))
+    doc = FreeCAD.openDocument(str(small.folder / "corebox.FCStd"))
     try:
         assert len(doc.findObjects("Part::Loft")) == 1
         sweep = doc.getObject("Pipe1Sweep")
@@ -64,21 +92,18 @@ def test_a_small_box_gives_edges_near_the_truth_and_all_files(tmp_path: Path) ->
         FreeCAD.closeDocument(doc.Name)
 
 
-def test_pictures_are_drawn_or_their_absence_is_said(tmp_path: Path) -> None:
-    table = run(tmp_path)
-    pictures = sorted(path.name for path in tmp_path.glob("*.png"))
+def test_pictures_are_drawn_or_their_absence_is_said(small: Demo) -> None:
+    pictures = sorted(path.name for path in small.folder.glob("*.png"))
     try:
         import matplotlib  # noqa: F401
     except ImportError:
-        assert "needs matplotlib" in table
+        assert "needs matplotlib" in small.table
     else:
         assert pictures == ["corebox-section.png", "corebox.png"]
 
 
-def test_no_document_stays_open(tmp_path: Path) -> None:
-    before = list(FreeCAD.listDocuments())
-    run(tmp_path)
-    assert list(FreeCAD.listDocuments()) == before
+def test_no_document_stays_open(small: Demo) -> None:
+    assert small.left_open == set()
 
 
 def test_cancelling_keeps_what_was_found(tmp_path: Path) -> None:
@@ -88,14 +113,13 @@ def test_cancelling_keeps_what_was_found(tmp_path: Path) -> None:
 
 
 def test_loft_and_fitted_sweep_follow_the_pipe_and_the_sweep_of_one_profile_cannot(
-    tmp_path: Path,
+    small: Demo,
 ) -> None:
-    table = document.make_demo(tmp_path, box=CoreBox.small(), amplitude=10.0, profiles=9)
-    rows = {line[:12]: line.split() for line in table.splitlines() if " yes " in line}
+    rows = {line[:12]: line.split() for line in small.table.splitlines() if " yes " in line}
     sweep, loft, fitted = (rows[f"pipe 1 {kind}"] for kind in ("sweep", "loft ", "fitte"))
     assert sweep[4] == loft[4] == fitted[4] == "yes"
     assert float(fitted[5]) < 0.03 and float(fitted[6]) < 0.2
-    assert "pipe 1 fitted: the cloud's points are 0.0" in table
+    assert "pipe 1 fitted: the cloud's points are 0.0" in small.table
     assert float(loft[5]) < 0.1
     assert float(sweep[5]) > 3 * float(loft[5])
 

@@ -21,7 +21,7 @@ from freecad_edgescan.experiments.wedge_search import (
 
 @pytest.fixture(scope="module")
 def sharp():
-    return search(120, rounded=False, jobs=1)
+    return search(80, rounded=False, jobs=1)
 
 
 def test_no_sharp_edge_is_found_somewhere_else(sharp) -> None:
