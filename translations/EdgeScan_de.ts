@@ -1657,10 +1657,6 @@ wird gesucht …</translation>
       <translation>Schnittpunkt, wie gedruckt</translation>
     </message>
     <message>
-      <source>left out</source>
-      <translation>ausgelassen</translation>
-    </message>
-    <message>
       <source>no rounding measurable</source>
       <translation>keine Verrundung messbar</translation>
     </message>
@@ -1675,6 +1671,10 @@ wird gesucht …</translation>
     <message>
       <source>not used</source>
       <translation>nicht verwendet</translation>
+    </message>
+    <message>
+      <source>of no side</source>
+      <translation>keiner Seite</translation>
     </message>
     <message>
       <source>own</source>

@@ -1657,10 +1657,6 @@ l'arête …</translation>
       <translation>intersection, telle qu'imprimée</translation>
     </message>
     <message>
-      <source>left out</source>
-      <translation>écartés</translation>
-    </message>
-    <message>
       <source>no rounding measurable</source>
       <translation>aucun arrondi mesurable</translation>
     </message>
@@ -1675,6 +1671,10 @@ l'arête …</translation>
     <message>
       <source>not used</source>
       <translation>non utilisé</translation>
+    </message>
+    <message>
+      <source>of no side</source>
+      <translation>d'aucun côté</translation>
     </message>
     <message>
       <source>own</source>

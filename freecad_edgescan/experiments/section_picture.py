@@ -40,7 +40,7 @@ def draw_section(edge: ScannedEdge, at: int | ArrayLike, path: str | Path) -> No
     figure = new_figure(path, 10.0, 7.0)
     axes = figure.add_subplot()
     removed = np.asarray(line.removed, dtype=bool)
-    axes.plot(*line.points[removed].T, "x", ms=5, color="0.55", label="points left out")
+    axes.plot(*line.points[removed].T, "x", ms=5, color="0.55", label="points of no side")
     for side in (0, 1):
         used = line.points[(line.side == side) & ~removed]
         axes.plot(*used.T, ".", ms=5, color=f"C{side}", label=f"points on side {side + 1}")

@@ -156,7 +156,7 @@ class SectionView(QtWidgets.QWidget):
     def _legend(self, canvas: Canvas, outline: SectionOutline) -> int:
         entries = [
             ("dots", translate("points"), canvas.side(0), canvas.side(1)),
-            ("cross", translate("left out"), canvas.muted, None),
+            ("cross", translate("of no side"), canvas.muted, None),
             ("line", translate("fitted sides"), canvas.side(0), canvas.side(1)),
         ]
         if outline.probe_radius:

@@ -21,7 +21,7 @@ class ScanLine:
     ----------
     points : (n, 2) cloud points, along the plane's two axes from the edge point
     side : (n,) 0 or 1, the surface each point may belong to
-    removed : (n,) True where a point was left out of the fits
+    removed : (n,) True where a point is no side's: an outlier, another surface's, a rounding's
     curves : two (k, 2) polylines, the fitted sides where they are supported and up to the edge
     meeting_point : (2,) where the two fitted sides meet, before the probe radius is taken off
     edge_point : (2,) the edge point
