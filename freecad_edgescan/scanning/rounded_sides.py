@@ -20,7 +20,14 @@ from scipy.ndimage import convolve1d
 from .edge_path import EdgePath
 from .normal_equations import BLOCK_EDGES
 from .patch_section import PatchSettings
-from .radius_search import Settled, of_some_radii, radii_about, settled, some_radii
+from .radius_search import (
+    SeenRadii,
+    Settled,
+    of_some_radii,
+    radii_about,
+    settled,
+    some_radii,
+)
 from .rounded_ends import beyond_rounding, even_stretch, without_far_ends
 from .rounded_fits import RoundedFits
 from .rounded_rows import Rounded, solved
@@ -69,36 +76,42 @@ def fit_rounded(
     """
     strip = RoundedStrip.of(points, noise, path, settings, counted)
     expected = Expected.nothing(len(path))
+    mine, seen, lasts = _searched(strip, fits, expected, about)
+    even, found = _between_even_ends(mine, seen.likeliest, expected, path)
+    rounded = seen.rounded(mine, found.model)
+    if rounded < _UNLIKELY or not _leaves_sides(even, found.model, lasts):
+        return None
+    together, borrowed = _section_by_section(even, found, fits, lasts)
+    if _worse_than_alone(even, together, fits):
+        return None
+    if rounded < 1.0 - _UNLIKELY:
+        sharp = settled(even, seen.sharpest, expected, free=False)
+        other, _ = _section_by_section(even, sharp, fits, lasts)
+        together = together.or_else(other, 1.0 - rounded)
+    return together, borrowed, found.agreeing
+
+
+def _searched(
+    strip: RoundedStrip, fits: SideFits, expected: Expected, about: float | None
+) -> tuple[RoundedStrip, SeenRadii, np.ndarray]:
+    """Look for the radius, and for where the sides end, which neither says without the other.
+
+    And the points between the ends, and their blocks (m, 2).
+    """
     lasts, coefficients = fits.stretch[..., 1], fits.coefficients
     mine, seen = strip.within(BLOCK_EDGES[lasts]), None
     if about is None:
         seen = of_some_radii(mine, coefficients, expected, lasts, some_radii(strip.pitch))
         first, coefficients = seen.likeliest, seen.sharpest.coefficients
     else:
-        first = Rounded(coefficients, np.full(len(path), about / strip.reach))
+        first = Rounded(coefficients, np.full(len(coefficients), about / strip.reach))
     ends = beyond_rounding(mine, first, lasts)
     ends = without_far_ends(strip, first, expected, ends)
-    if seen is None or not np.array_equal(ends, lasts):
-        lasts, mine = ends, strip.within(BLOCK_EDGES[ends])
-        radii = radii_about(strip.pitch, float(np.median(first.radius)))
-        seen = of_some_radii(mine, coefficients, expected, lasts, radii)
-    whole, (mine, found) = mine, _between_even_ends(mine, seen.likeliest, expected, path)
-    rounded = seen.rounded(whole, found.model)
-    if rounded < _UNLIKELY:
-        return None
-    if _scatter_about_circle(mine, found.model) > _NO_CIRCLE:
-        return None
-    beyond = BLOCK_EDGES[lasts] - mine.rows(found.model)[0].begins
-    if np.quantile(beyond, _NARROW, axis=0).min() < _LEAST_SIDE * mine.pitch:
-        return None
-    together, borrowed = _section_by_section(mine, found, fits, lasts)
-    if _worse_than_alone(mine, together, fits):
-        return None
-    if rounded < 1.0 - _UNLIKELY:
-        sharp = settled(mine, seen.sharpest, expected, free=False)
-        other, _ = _section_by_section(mine, sharp, fits, lasts)
-        together = together.or_else(other, 1.0 - rounded)
-    return together, borrowed, found.agreeing
+    if seen is not None and np.array_equal(ends, lasts):
+        return mine, seen, lasts
+    mine = strip.within(BLOCK_EDGES[ends])
+    radii = radii_about(strip.pitch, float(np.median(first.radius)))
+    return mine, of_some_radii(mine, coefficients, expected, ends, radii), ends
 
 
 def _between_even_ends(
@@ -142,11 +155,14 @@ def _worse_than_alone(strip: RoundedStrip, together: RoundedFits, alone: SideFit
     return bool(np.mean(total > _WORSE * np.maximum(count, 1.0)) > _SOME)
 
 
-def _scatter_about_circle(strip: RoundedStrip, model: Rounded) -> float:
-    """Mean square of the distances of the points from the rounding, in variances."""
+def _leaves_sides(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> bool:
+    """Whether the points between the sides lie on the rounding, and it leaves enough of these."""
     rows, off = strip.rows(model)
     arc = rows.on_arc & (np.abs(off) < _OF_A_CIRCLE)
-    return float(np.average(off[arc] ** 2, weights=strip.crowd[arc])) if arc.any() else np.inf
+    if not arc.any() or np.average(off[arc] ** 2, weights=strip.crowd[arc]) > _NO_CIRCLE:
+        return False
+    beyond = BLOCK_EDGES[lasts] - rows.begins
+    return bool(np.quantile(beyond, _NARROW, axis=0).min() >= _LEAST_SIDE * strip.pitch)
 
 
 def _section_by_section(
