@@ -17,7 +17,9 @@ from __future__ import annotations
 import numpy as np
 from scipy.ndimage import convolve1d
 
+from ..geometry.place_text import place_text
 from .edge_path import EdgePath
+from .errors import ScanError
 from .normal_equations import BLOCK_EDGES
 from .patch_section import PatchSettings
 from .radius_search import (
@@ -40,6 +42,7 @@ __all__ = ["fit_rounded"]
 
 _ROUNDS = 5
 _UNLIKELY = 0.02  # probability below which a rounding, or none, is left out of account
+_SURELY = 0.9  # that from which on no edge is known beside one that leaves no side
 _NO_CIRCLE = 2.0  # mean square of the points about a rounding, in variances, that is none
 _OF_A_CIRCLE = 5.0  # standard deviations, farther off than which is another surface
 _OF_A_SECTION = 3.5  # the same, when a section is fitted by itself
@@ -73,13 +76,27 @@ def fit_rounded(
     -------
     the fits, how many neighbours on each side each section borrowed points from (m,), and how many
     sections on each side mostly agree on the shape; None where no circle is seen between the sides
+
+    Raises
+    ------
+    ScanError: there surely is a rounding, and it leaves next to nothing of a side.
     """
     strip = RoundedStrip.of(points, noise, path, settings, counted)
     expected = Expected.nothing(len(path))
     mine, seen, lasts = _searched(strip, fits, expected, about)
     even, found = _between_even_ends(mine, seen.likeliest, expected, path)
     rounded = seen.rounded(mine, found.model)
-    if rounded < _UNLIKELY or not _leaves_sides(even, found.model, lasts):
+    if rounded < _UNLIKELY or not _is_a_circle(even, found.model):
+        return None
+    if not _leaves_sides(even, found.model, lasts):
+        if rounded > _SURELY:
+            middle = place_text(path.frames.origin[len(path) // 2])
+            radius = float(np.median(found.model.radius)) * strip.reach
+            raise ScanError(
+                f"A rounding of radius {radius:.3g} mm near ({middle}) leaves next to nothing of "
+                "one side, and where that met the other one is not known. Click where both sides "
+                "are wider, or scan denser."
+            )
         return None
     together, borrowed = _section_by_section(even, found, fits, lasts)
     if _worse_than_alone(even, together, fits):
@@ -155,13 +172,16 @@ def _worse_than_alone(strip: RoundedStrip, together: RoundedFits, alone: SideFit
     return bool(np.mean(total > _WORSE * np.maximum(count, 1.0)) > _SOME)
 
 
-def _leaves_sides(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> bool:
-    """Whether the points between the sides lie on the rounding, and it leaves enough of these."""
+def _is_a_circle(strip: RoundedStrip, model: Rounded) -> bool:
+    """Whether there are points between the sides, and they lie on the rounding."""
     rows, off = strip.rows(model)
     arc = rows.on_arc & (np.abs(off) < _OF_A_CIRCLE)
-    if not arc.any() or np.average(off[arc] ** 2, weights=strip.crowd[arc]) > _NO_CIRCLE:
-        return False
-    beyond = BLOCK_EDGES[lasts] - rows.begins
+    return bool(arc.any() and np.average(off[arc] ** 2, weights=strip.crowd[arc]) <= _NO_CIRCLE)
+
+
+def _leaves_sides(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> bool:
+    """Whether the rounding leaves enough of both sides."""
+    beyond = BLOCK_EDGES[lasts] - strip.rows(model)[0].begins
     return bool(np.quantile(beyond, _NARROW, axis=0).min() >= _LEAST_SIDE * strip.pitch)
 
 
