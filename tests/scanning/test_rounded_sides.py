@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from freecad_edgescan.cloud import PointCloud
-from freecad_edgescan.scanning import scan_edge
+from freecad_edgescan.scanning import ScanError, scan_edge
 from freecad_edgescan.scanning.rounded_fits import RoundedFits
 
 PITCH = 0.5
@@ -104,3 +104,64 @@ def test_one_of_two_cases_is_known_as_badly_as_they_differ(wedge):
     assert either.joint[:, 0, 0] == pytest.approx(fits.joint[:, 0, 0] + 0.01**2)
     assert either.joint[:, 0, 4] == pytest.approx(fits.joint[:, 0, 4] + 0.01**2)
     assert either.coefficients[..., 0] == pytest.approx(fits.coefficients[..., 0] + 0.01)
+
+
+def rounded_beside_a_narrow_side(land, seed, radius=2.5, noise=0.02):
+    """Sides at 90° under a rounding between them, one of which ends a land beyond it.
+
+    The edge is the x axis, PITCH apart on average; the narrow side is followed by a wall downwards.
+    """
+    rng = np.random.default_rng(seed)
+
+    def strewn(length):
+        count = int(24.0 * length / PITCH**2)
+        return rng.uniform(-12.0, 12.0, count), rng.uniform(0.0, length, count)
+
+    x, s = strewn(12.0 - radius)
+    wide = np.column_stack([x, np.zeros_like(x), -radius - s])
+    x, s = strewn(np.pi / 2.0 * radius)
+    round_ = np.column_stack(
+        [x, radius * (np.cos(s / radius) - 1.0), radius * (np.sin(s / radius) - 1.0)]
+    )
+    x, s = strewn(land)
+    narrow = np.column_stack([x, -radius - s, np.zeros_like(x)])
+    x, s = strewn(8.0)
+    wall = np.column_stack([x, np.full_like(x, -radius - land), -s])
+    points = np.vstack([wide, round_, narrow, wall])
+    return PointCloud(points + rng.normal(0.0, noise, points.shape))
+
+
+known = pytest.mark.xfail(
+    strict=True, reason="known: the smooth side and its rounding meet in none"
+)
+
+
+@pytest.mark.parametrize(
+    ("land", "seed"),
+    [
+        *[(0.0, seed) for seed in (0, 2, 3)],
+        *[(0.3, seed) for seed in (0, 1, 2)],
+        pytest.param(0.0, 1, marks=known),
+        pytest.param(0.3, 3, marks=known),
+    ],
+)
+def test_no_edge_is_stated_beside_a_rounding_that_leaves_nothing_of_a_side(land, seed):
+    """A piece of the rounding is no side: what that meets is not the edge.
+
+    What is stated is where the rounding, or what is left of the side, meets the wall, or nothing.
+    """
+    try:
+        edge = scan_edge(rounded_beside_a_narrow_side(land, seed), at=(0.3, -0.7, -0.7))
+    except ScanError as refusal:
+        assert "A rounding of radius" in str(refusal) and "of one side" in str(refusal)
+        return
+    off = np.hypot(edge.points[:, 1] + 2.5 + land, edge.points[:, 2])
+    assert np.median(off) < 0.1 * PITCH
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_beside_a_rounding_that_leaves_eight_pitches_of_a_side_the_edge_is_found(seed):
+    edge = scan_edge(rounded_beside_a_narrow_side(4.0, seed), at=(0.3, -0.7, -0.7))
+    off = np.linalg.norm(edge.points[:, 1:], axis=1)
+    assert np.mean(off) < 0.1 * PITCH
+    assert np.median(edge.fillet_radius) == pytest.approx(2.5, rel=0.05)
