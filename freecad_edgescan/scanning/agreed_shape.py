@@ -22,7 +22,9 @@ from .side_fit import MOST_CURVED
 __all__ = ["agreed_shape", "curvatures_of_each", "shape_evidence"]
 
 _WIDTHS = (8, 24, 72)  # sections on each side that may agree
-_AGREE = 11.3  # squared Mahalanobis distance beyond which two estimates of the three differ (99 %)
+# Squared Mahalanobis distance beyond which two estimates of the three differ, or of the two
+# curvatures with the radius given (99 %).
+_AGREE, _AGREE_OF_TWO = 11.3, 9.2
 _PLANE = 3e-3  # curvature of a plane, in inverse reaches: that of a sagitta far below any noise
 _ANY_RADIUS = 1e3  # reaches
 _FIXED = 1e-6  # variance, in reaches², of a radius that is given
@@ -47,12 +49,15 @@ def agreed_shape(
     information, said = _of_shape(summed, radius)
     mode = "wrap" if closed else "constant"
     taken: tuple[np.ndarray, np.ndarray] | None = None
-    agreeing = np.zeros(len(summed), dtype=np.int64)
+    agreeing, still = np.zeros(len(summed), dtype=np.int64), np.ones(len(summed), dtype=bool)
     for width in _WIDTHS:
         width = min(width, (len(summed) - 1) // 2)
         window = np.ones(2 * width + 1) / counted
         known, told = (convolve1d(part, window, axis=0, mode=mode) for part in (information, said))
-        mean, covariance = (_given if fixed else _agreed)(known, told, radius)
+        if fixed:
+            mean, covariance = _given(known, told, radius)
+        else:
+            mean, covariance, _ = _perhaps_planes(known, told)
         if taken is None:
             taken = mean, covariance
             agreeing[:] = width
@@ -61,14 +66,14 @@ def agreed_shape(
         # The wider one is made of the narrower one and others.
         free = taken[1] - covariance + 1e-3 * taken[1]
         off = np.einsum("mi,mij,mj->m", apart, np.linalg.inv(free), apart)
-        better = (np.abs(off) <= _AGREE) & (agreeing == agreeing.max())
+        still &= np.abs(off) <= (_AGREE_OF_TWO if fixed else _AGREE)
         # What curls like a rounding says nothing about the side.
-        better |= np.any(np.abs(taken[0][:, :2]) > MOST_CURVED, axis=1)
+        still |= np.any(np.abs(taken[0][:, :2]) > MOST_CURVED, axis=1)
         taken = (
-            np.where(better[:, None], mean, taken[0]),
-            np.where(better[:, None, None], covariance, taken[1]),
+            np.where(still[:, None], mean, taken[0]),
+            np.where(still[:, None, None], covariance, taken[1]),
         )
-        agreeing[better] = width
+        agreeing[still] = width
     assert taken is not None
     return *taken, int(np.median(agreeing))
 
@@ -94,10 +99,10 @@ def curvatures_of_each(
 def shape_evidence(
     summed: np.ndarray, coefficients: np.ndarray, radius: np.ndarray, counted: float
 ) -> float:
-    """Logarithm of how much likelier the points make a radius than its best curvatures alone do.
+    """What is to be added to a model's misfit, times −½, for the logarithm of its likelihood.
 
-    The average over what the curvatures may be, planes among them, instead of the best ones: two
-    bent sides have had more to choose from than two planes.
+    That is then the average over one pair of curvatures for the whole edge, planes among them: two
+    bent sides follow points well by chance, so that their best pair says too much.
 
     Parameters
     ----------
@@ -112,14 +117,6 @@ def shape_evidence(
     apart = coefficients[..., 2].mean(axis=0) - best
     _, _, average = _perhaps_planes(known[None], told[None])
     return float(average[0] + 0.5 * apart @ known @ apart - 0.5 * told @ best)
-
-
-def _agreed(
-    information: np.ndarray, said: np.ndarray, radius: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """The three, all of them open."""
-    mean, covariance, _ = _perhaps_planes(information, said)
-    return mean, covariance
 
 
 def _given(

@@ -7,6 +7,9 @@
    ends, and how much each side is curved is decided with many times the points of one section.
 3. Each section is fitted by itself on those stretches, with the pooled curvature as prior, and its
    two sides, moved by the probe radius, are intersected.
+4. Where something may have rounded the edge, sides and rounding are fitted together
+   (`rounded_sides`); where that finds none, the points that a measured rounding covers are left out
+   and the sides are fitted once more.
 """
 
 from __future__ import annotations
@@ -54,6 +57,7 @@ _BELOW, _SURELY_BELOW = 0.5, 5.0
 _BENT = 0.2  # sagitta of a side, in noise, that may be a rounding's
 _MOVES = 2  # of sections that stand out of line: the first one is by sides that are badly known
 _STILL_SEEN = 0.8  # of the sides, when the sections have been moved into line
+_NO_NOISE = 1e-6  # reaches
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
@@ -69,7 +73,8 @@ class Measured:
     fits : the sides
     noise : (m, 2) standard deviation of the points about the sides, mm
     half_length : (m, 2) how far along the edge, to both ends, the points of each side reach, mm
-    asked : sections on each side that most of them ask about their sides' curvature
+    summed_over : sections on each side over which most of them have summed what they know of their
+        sides' curvature, see `shared_between`
     supplied : (m,) whether both sides have points in the section itself
     at : (m,) places of the sections along the edge, mm
     extent : places along the edge between which both sides have points, mm
@@ -81,7 +86,7 @@ class Measured:
     fits: SideFits
     noise: np.ndarray
     half_length: np.ndarray
-    asked: int
+    summed_over: tuple[int, ...]
     supplied: np.ndarray
     at: np.ndarray
     extent: tuple[float, float]
@@ -93,7 +98,8 @@ class Measured:
     def rounding(self, cloud_pitch: float, closed: bool) -> tuple[np.ndarray, np.ndarray]:
         """Radius of the rounding in the cloud and its sigma, (m,) mm; nan where there is none."""
         if isinstance(self.fits, RoundedFits):
-            return self.fits.radius * self.fits.reach, self.fits.radius_sigma * self.fits.reach
+            radius, sigma = self.fits.measured_radius()
+            return radius * self.fits.reach, sigma * self.fits.reach
         return rounding_radius(
             self.frames,
             self.points,
@@ -141,13 +147,13 @@ def measure_together(
             within, measured.fits, measured.noise, path, settings, counted, about
         )
         if together is not None:
-            fits, borrowed, asked = together
+            fits, borrowed, agreeing = together
             return replace(
                 measured,
                 fits=fits,
                 removed=~used | ~fits.within(points),
                 half_length=_half_length(np.stack([borrowed, borrowed], axis=1), path, settings),
-                asked=asked,
+                summed_over=(agreeing,),
             )
     rounded = _rounded_away(measured, settings, path.closed)
     if rounded is None:
@@ -181,7 +187,7 @@ def _measure(
 ) -> Measured:
     """Fit every section on those points (n,) bool that are the sides', where these are smooth."""
     own = sum_stretches(evened_moments(points[used], path, settings), pooled.stretch)
-    *curvature, asked = shared_curvature(pooled, path, settings.half_width)
+    *curvature, summed_over = shared_curvature(pooled, path, settings.half_width)
     fits, borrowed_from = _supplied_fits(own, pooled, curvature, path, settings.half_width)
     removed = ~used | ~fits.within(points)
     local = np.sqrt(pooled.variance) * pooled.reach
@@ -193,7 +199,7 @@ def _measure(
         fits,
         local,
         _half_length(borrowed_from, path, settings),
-        asked,
+        summed_over,
         supplied,
         path.at,
         extent,
@@ -221,7 +227,8 @@ def _may_be_rounded(measured: Measured, cloud_pitch: float, closed: bool) -> boo
     if np.median(below) > _BELOW and np.mean(below) * np.sqrt(count) > _SURELY_BELOW:
         return True
     sagitta = 0.125 * fits.coefficients[..., 2] * (fits.ends - fits.begins) ** 2 / fits.reach
-    return bool(np.median(sagitta / measured.noise, axis=0).min() < -_BENT)
+    noise = np.maximum(measured.noise, _NO_NOISE * fits.reach)
+    return bool(np.median(sagitta / noise, axis=0).min() < -_BENT)
 
 
 def _rounded_away(measured: Measured, settings: PatchSettings, closed: bool) -> np.ndarray | None:
@@ -277,7 +284,7 @@ def _supplied_fits(
     And how many neighbours before and behind were asked for points of each side, (m, 2).
     """
     reach = pooled.reach
-    local = np.maximum(np.sqrt(pooled.variance) * reach, 1e-6 * reach)
+    local = np.maximum(np.sqrt(pooled.variance), _NO_NOISE) * reach
     overlap, neighbours = times_counted(path, half_width), Neighbours(path, reach)
 
     def fit(summed: np.ndarray) -> SideFits:

@@ -23,7 +23,10 @@ _BADLY_KNOWN = 3.0  # times the usual sigma, of edge points that are not asked
 
 
 def wavers(measured: Measured) -> bool:
-    """Whether the sections stand beside their edge points, one here and one there, by the noise."""
+    """Whether the sections stand beside their edge points, one here and one there.
+
+    By more than a share of the noise.
+    """
     shift = measured.corners().shift
     beside = shift - np.median(shift, axis=0)
     return bool(np.median(np.linalg.norm(beside, axis=1)) > _STRAIGHT * np.median(measured.noise))

@@ -2,7 +2,7 @@
 """Normal equations of neighbouring sections, as each section would have them.
 
 The sections of a path are turned about the edge, each a little in its own way; far from the edge a
-turn of a thousandth is more than the noise. What a section borrows is turned to where it stands
+turn of a milliradian is more than the noise. What a section borrows is turned to where it stands
 itself: in terms of (1, s, (s²+n²)/2, u, n) that is linear, so that the points themselves are not
 needed. How far the sections stand beside the edge is taken to be alike: a shift by what the path's
 bend says would be worse than none, for over several sections a small error of the bend is a large

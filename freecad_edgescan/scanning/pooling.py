@@ -106,11 +106,11 @@ def agreed_stretches(stretch: np.ndarray, path: EdgePath) -> np.ndarray:
 
 def shared_curvature(
     pooled: SideFits, path: EdgePath, half_width: float
-) -> tuple[np.ndarray, np.ndarray, int]:
+) -> tuple[np.ndarray, np.ndarray, tuple[int, int]]:
     """Curvature of each side that neighbours agree on, and how far one may be from it.
 
-    Each section asks as many neighbours as know it best. And how many sections on each side that
-    mostly are.
+    Each section asks as many neighbours as know it best. And over how many sections on each side
+    it has mostly been summed, see `shared_between`.
     """
     own = pooled.coefficients[..., 2]
     counted = times_counted(path, half_width)
@@ -125,7 +125,7 @@ def shared_curvature(
         np.take_along_axis(np.stack(values), best[None], axis=0)[0] for values in (means, variances)
     )
     asked = int(np.median(np.array(_ALIKE_CURVED)[best]))
-    return *_perhaps_plane(mean, variance + 1e-8), asked
+    return *_perhaps_plane(mean, variance + 1e-8), (_POOLED, asked)
 
 
 def _agreed_by(
@@ -162,7 +162,9 @@ def times_counted(path: EdgePath, half_width: float) -> float:
     return max(1.0, 2.0 * half_width / path.spacing)
 
 
-def shared_between(sections: int, closed: bool, farthest: int, asked: int) -> np.ndarray:
+def shared_between(
+    sections: int, closed: bool, farthest: int, summed_over: tuple[int, ...]
+) -> np.ndarray:
     """Correlation of what sections share about their curvature.
 
     Parameters
@@ -170,7 +172,8 @@ def shared_between(sections: int, closed: bool, farthest: int, asked: int) -> np
     sections : their number
     closed : whether the last one leads back to the first
     farthest : number of sections between two of them at most
-    asked : sections on each side that one asks about its curvature
+    summed_over : sections on each side over which the curvature was summed; of several, the sums
+        of one were summed over the next
 
     Returns
     -------
@@ -178,8 +181,10 @@ def shared_between(sections: int, closed: bool, farthest: int, asked: int) -> np
     fewer sections are asked, it is larger.
     """
     # Between the ends of a long edge it is the same everywhere.
-    few = min(sections, 4 * (_POOLED + asked) + 2 * farthest + 2)
-    together = _summed(_summed(np.eye(few), _POOLED, closed), asked, closed)
+    few = min(sections, 4 * sum(summed_over) + 2 * farthest + 2)
+    together = np.eye(few)
+    for width in summed_over:
+        together = _summed(together, width, closed)
     together /= np.linalg.norm(together, axis=1, keepdims=True)
     alike = together @ together.T
     onward = (np.arange(few)[:, None] + np.arange(farthest + 1)) % few

@@ -15,7 +15,7 @@ import numpy as np
 from .agreed_shape import agreed_shape, shape_evidence
 from .normal_equations import BLOCK_EDGES
 from .rounded_rows import Rounded
-from .rounded_strip import COARSE, FAR, FINE, WIDEST, Expected, RoundedStrip, moved
+from .rounded_strip import COARSE, FAR, FINE, LARGEST, WIDEST, Expected, RoundedStrip, moved
 
 __all__ = ["SeenRadii", "Settled", "of_some_radii", "radii_about", "settled", "some_radii"]
 
@@ -25,13 +25,15 @@ _ABOUT = (0.7, 1.0, 1.4)  # times a radius that is roughly known
 
 def some_radii(pitch: float) -> np.ndarray:
     """Radii to try, (k,), the first one as good as none; pitch of the cloud."""
-    return np.array(_RADII) * pitch
+    radii = np.array(_RADII) * pitch
+    return radii[: max(np.count_nonzero(radii <= LARGEST), 2)]
 
 
 def radii_about(pitch: float, radius: float) -> np.ndarray:
     """Radii to try where one is roughly known, (k,), the first one as good as none."""
     smallest = _RADII[0] * pitch
-    return np.append(smallest, np.array(_ABOUT) * max(radius, 2.0 * smallest))
+    about = np.array(_ABOUT) * min(max(radius, 2.0 * smallest), LARGEST)
+    return np.append(smallest, about[about <= LARGEST])
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,8 @@ from .side_fit import SideFits
 
 __all__ = ["RoundedFits"]
 
+_SURELY = 2.0  # standard deviations of a radius that is measured
+
 
 @dataclass(frozen=True)
 class RoundedFits(SideFits):
@@ -75,3 +77,11 @@ class RoundedFits(SideFits):
     def radius_sigma(self) -> np.ndarray:
         """Standard deviation of the radius, (m,), in reaches."""
         return np.sqrt(self.joint[:, -1, -1])
+
+    def measured_radius(self) -> tuple[np.ndarray, np.ndarray]:
+        """Radius and its standard deviation (m,), in reaches; nan where it may as well be none."""
+        measurable = self.radius > _SURELY * self.radius_sigma
+        return (
+            np.where(measurable, self.radius, np.nan),
+            np.where(measurable, self.radius_sigma, np.nan),
+        )

@@ -2,14 +2,15 @@
 """Points as measurements of both sides of an edge and of the rounding between them.
 
 A rounding is the circle that rolls on both sides: its centre is where the two sides, moved inwards
-by its radius, meet, and it touches them where it leaves them. With the direction u from the centre
-to a point on it written in the normals at the touching points, u = wA nA + wB nB, the point's
-distance from the circle is changed by
+by its radius, meet, and it touches them where it leaves them. With the direction d from the centre
+to a point on it written in the normals at the touching points, d = wA nA + wB nB, the circle moves
+outwards under the point by
 
-    wA (height of side A at its touching point) + wB (that of side B) + (1 − wA − wB) (radius),
+    wA (height of side A at its touching point) + wB (that of side B) + (1 − wA − wB) (radius)
 
-which makes it a linear measurement of the three. Points with both weights positive lie on the
-rounding and all others on their side, so that nobody has to say where the rounding begins.
+of what these three are changed by: the point is a linear measurement of them. Points with both
+weights positive lie on the rounding and all others on their side, so that nobody has to say where
+the rounding begins.
 
 The rows of the points of a section are summed into one matrix over the terms (1, s, q, u, n) of
 side A, those of side B, the radius and the residual (see `normal_equations` for the terms);

@@ -9,7 +9,8 @@ begins are one question with one answer (`rounded_rows`):
 1. a first radius, the best of a row of them;
 2. where the sides end: a far end that bends away is the next rounding;
 3. what neighbouring sections agree on: both curvatures and the radius (`agreed_shape`);
-4. each section by itself, with these expected.
+4. each section by itself, with these expected;
+5. where a rounding and none are both likely, their mean.
 """
 
 from __future__ import annotations
@@ -47,7 +48,7 @@ _NO_CIRCLE = 2.0  # mean square of the points about a rounding, in variances, th
 _OF_A_CIRCLE = 5.0  # standard deviations, farther off than which is another surface
 _OF_A_SECTION = 3.5  # the same, when a section is fitted by itself
 _LEAST_SIDE, _NARROW = 1.5, 0.3  # pitches of a side beyond the rounding, and share with less
-_WORSE, _SOME = 0.5, 0.1  # variances by which they may fit worse, and in how many sections
+_WORSE, _SOME = 0.5, 0.1  # variances by which they may fit worse, and share of sections that may
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
@@ -75,7 +76,8 @@ def fit_rounded(
     Returns
     -------
     the fits, how many neighbours on each side each section borrowed points from (m,), and how many
-    sections on each side mostly agree on the shape; None where no circle is seen between the sides
+    sections on each side mostly agree on the shape; None where no circle is seen between the
+    sides, or they fit worse with it than by themselves
 
     Raises
     ------
@@ -111,9 +113,9 @@ def fit_rounded(
 def _searched(
     strip: RoundedStrip, fits: SideFits, expected: Expected, about: float | None
 ) -> tuple[RoundedStrip, SeenRadii, np.ndarray]:
-    """Look for the radius, and for where the sides end, which neither says without the other.
+    """Look for the radius, and for where the sides end: neither is known without the other.
 
-    And the points between the ends, and their blocks (m, 2).
+    Returns the strip cut at those ends, the radii that were tried, and the last blocks (m, 2).
     """
     lasts, coefficients = fits.stretch[..., 1], fits.coefficients
     mine, seen = strip.within(BLOCK_EDGES[lasts]), None
@@ -150,7 +152,7 @@ def _between_even_ends(
 
 
 def _worse_than_alone(strip: RoundedStrip, together: RoundedFits, alone: SideFits) -> bool:
-    """Whether somewhere along the edge the points of the sides fit worse to them than before.
+    """Whether in some of the sections the points of the sides fit worse to them than before.
 
     The sides that were fitted by themselves are known to be smooth within the noise.
     """

@@ -18,6 +18,7 @@ __all__ = [
     "COARSE",
     "FAR",
     "FINE",
+    "LARGEST",
     "POOLED",
     "WIDEST",
     "Expected",
@@ -31,6 +32,7 @@ POOLED = 4  # sections on each side that decide together
 # a few, from sides that were fitted by themselves, and near the end.
 FAR, COARSE, FINE = (20.0, 10.0, 5.0), (5.0, 3.0), (3.0, 3.0)
 WIDEST = 0.6  # of a side, that a rounding may take
+LARGEST = 0.6  # reaches, of a radius
 _SMALLEST = 0.05  # pitches
 _MOST_CHANGED = 0.4  # of a radius, and half a pitch, in one step
 _LEAST_NOISE = 0.3  # of the usual, in a section that has met less
@@ -205,5 +207,5 @@ def stepped(strip: RoundedStrip, model: Rounded, unknown: np.ndarray) -> Rounded
     """The model that unknowns (m, 9) were solved for; its radius changes by bounded steps."""
     most = _MOST_CHANGED * model.radius
     step = np.clip(unknown[:, -1], -most, most + 0.5 * strip.pitch)
-    radius = np.clip(model.radius + step, _SMALLEST * strip.pitch, WIDEST)
+    radius = np.clip(model.radius + step, _SMALLEST * strip.pitch, LARGEST)
     return Rounded(unknown[:, :-1].reshape(-1, 2, 4), radius)

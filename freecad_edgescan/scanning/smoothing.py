@@ -31,7 +31,7 @@ _AGREE = 9.2  # squared Mahalanobis distance beyond which two estimates differ (
 _ASTRAY = 16.0  # the same, of a point from what its neighbours say of it
 _MOST_MISFIT = 2.0  # variances, of those whose word is taken
 _EACH_WAY = 2  # neighbours on each side, at least, who say it
-# So many such points in a row are a mistake: stretches of the sides are decided for three sections
+# So many such points in a row are a mistake: stretches of the sides are decided for four sections
 # at a time. More of them are the edge.
 _FEW = 4
 
@@ -74,7 +74,7 @@ def smoothed(
     if near is None:
         return raw
     degree = 1 if straight else 2
-    trusted = near.inside & ~_astray(near, degree, ending)
+    trusted = near.inside & ~_astray(near, degree, ending, closed)
     values, covariances = [np.zeros_like(near.off[:, 0])], [edge.covariance]
     means = [near.mean(near.own())]
     taken = np.zeros(len(edge.point), dtype=np.int64)
@@ -162,7 +162,7 @@ class _Neighbours:
             )
             for side in range(2)
         ]
-        shared = shared_between(count, closed, 2 * reach, measured.asked)
+        shared = shared_between(count, closed, 2 * reach, measured.summed_over)
         earlier = which[:, np.minimum(np.arange(len(step))[:, None], np.arange(len(step)))]
         alike = shared[earlier, np.abs(step[:, None] - step)]
         parts.append((alike, np.swapaxes(root_2x2(edge.shared)[which], 1, 2).copy()))
@@ -257,7 +257,7 @@ def _common(
     )
 
 
-def _astray(near: _Neighbours, degree: int, ending: tuple[bool, bool]) -> np.ndarray:
+def _astray(near: _Neighbours, degree: int, ending: tuple[bool, bool], closed: bool) -> np.ndarray:
     """Which neighbours (m, k) are among few points that the others say are somewhere else."""
     # What is mistaken together is not asked about itself.
     others = near.inside & ~near.within(min(_FEW, near.reach // 3))
@@ -274,9 +274,9 @@ def _astray(near: _Neighbours, degree: int, ending: tuple[bool, bool]) -> np.nda
     # Where the edge is no parabola, as where a line becomes an arc, its neighbours say nothing.
     far &= near.misfit(others, degree) < _MOST_MISFIT
     single = far.copy()
-    for part in _runs(far):
-        if part.stop - part.start > _FEW:
-            single[part] = False
+    for run in _runs(far, closed):
+        if len(run) > _FEW:
+            single[run] = False
     count = len(far)
     which = (np.arange(count)[:, None] + np.arange(-near.reach, near.reach + 1)) % count
     return single[which]
@@ -295,10 +295,13 @@ def _overlap(along: np.ndarray, half: np.ndarray) -> np.ndarray:
     return overlap
 
 
-def _runs(chosen: np.ndarray) -> list[slice]:
-    """Runs of neighbouring True values."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], chosen.astype(np.int8), [0]])))
-    return [slice(begin, end) for begin, end in edges.reshape(-1, 2).tolist()]
+def _runs(chosen: np.ndarray, closed: bool) -> list[np.ndarray]:
+    """Places of the runs of neighbouring True values, over the seam where it is closed."""
+    order = np.arange(len(chosen))
+    if closed:
+        order = np.roll(order, -int(np.argmin(chosen)))  # no run goes over a False value
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], chosen[order].astype(np.int8), [0]])))
+    return [order[begin:end] for begin, end in edges.reshape(-1, 2).tolist()]
 
 
 def _distance(gap: np.ndarray, covariance: np.ndarray) -> np.ndarray:

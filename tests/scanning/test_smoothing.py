@@ -11,7 +11,7 @@ from freecad_edgescan.cloud import PointCloud, TorusObject
 from freecad_edgescan.scanning import ScanParameters, scan_edge
 from freecad_edgescan.scanning.corner import across_axes
 from freecad_edgescan.scanning.section import frames_from_sides
-from freecad_edgescan.scanning.smoothing import smoothed
+from freecad_edgescan.scanning.smoothing import _runs, smoothed
 
 SIGMA = 0.01  # mm
 
@@ -78,6 +78,13 @@ def test_few_points_that_their_neighbours_contradict_give_way():
         assert (abs(after) < 2.0 * SIGMA) == gives_way
 
 
+def test_a_run_goes_on_over_the_seam_of_a_closed_edge():
+    chosen = np.array([True, True, False, True, False, True])
+    assert [run.tolist() for run in _runs(chosen, closed=False)] == [[0, 1], [3], [5]]
+    assert [run.tolist() for run in _runs(chosen, closed=True)] == [[3], [5, 0, 1]]
+    assert [len(run) for run in _runs(np.ones(6, dtype=bool), closed=True)] == [6]
+
+
 def test_one_section_that_is_off_by_chance_keeps_nothing_of_its_own_place():
     """Of a hundred sections one is three sigma off; it is drawn to its neighbours all the same."""
     measured, edge = straight_sections()
@@ -138,7 +145,10 @@ def straight_sections(seed=None, half_lengths=(0.25, 0.25)):
             scatter[:, side] = np.convolve(rng.normal(size=count + len(slab) - 1), slab, "valid")
     axes = across_axes(frames.normals)
     measured = SimpleNamespace(
-        frames=frames, at=origin[:, 0], half_length=np.tile(half_lengths, (count, 1)), asked=8
+        frames=frames,
+        at=origin[:, 0],
+        half_length=np.tile(half_lengths, (count, 1)),
+        summed_over=(4, 8),
     )
     edge = SimpleNamespace(
         point=origin + np.einsum("ma,mai->mi", scatter, axes),
