@@ -16,6 +16,7 @@ from .edge_ends import Vertices, corners_at, vertices_of, walked_to_vertices
 from .edge_gate import EdgeGate, until
 from .edge_path import path_along
 from .edge_points import Measured, measure_together
+from .end_course import on_course
 from .laid_again import laid_again, wavers
 from .rounded_fits import RoundedFits
 from .scan_lines import ScanLines
@@ -64,6 +65,8 @@ def finish_edge(
         measured = again
     if not trace.closed:
         measured = _without_unsupported_ends(measured, trace.stops, settings.cloud_pitch)
+        if isinstance(measured.fits, RoundedFits):
+            measured = select_sections(measured, on_course(measured, trace.stops))
     if arrived is not None and trace.stops[1] is Stop.GATE:
         measured = select_sections(measured, until(arrived, measured.corners().point))
     vertices = vertices_of(cloud, measured, trace.stops, settings)
