@@ -91,13 +91,14 @@ def fit_rounded(
     if rounded < _UNLIKELY or not _is_a_circle(even, found.model):
         return None
     if not _leaves_sides(even, found.model, lasts):
-        if rounded > _SURELY:
+        # Far ends may have been cut for another radius' sake; sides by themselves know none.
+        if rounded > _SURELY and not _leaves_sides(even, found.model, fits.stretch[..., 1]):
             middle = place_text(path.frames.origin[len(path) // 2])
             radius = float(np.median(found.model.radius)) * strip.reach
             raise ScanError(
                 f"A rounding of radius {radius:.3g} mm near ({middle}) leaves next to nothing of "
-                "one side, and where that met the other one is not known. Click where both sides "
-                "are wider, or scan denser."
+                "one side, and where that met the other one is not known. Click elsewhere across "
+                "the rounding or along it, or scan denser."
             )
         return None
     together, borrowed = _section_by_section(even, found, fits, lasts)
