@@ -88,18 +88,12 @@ def fit_rounded(
     mine, seen, lasts = _searched(strip, fits, expected, about)
     even, found = _between_even_ends(mine, seen.likeliest, expected, path)
     rounded = seen.rounded(mine, found.model)
-    if rounded < _UNLIKELY or not _is_a_circle(even, found.model):
+    if rounded < _UNLIKELY:
         return None
-    if not _leaves_sides(even, found.model, lasts):
+    if not _is_a_circle(even, found.model) or not _leaves_sides(even, found.model, lasts):
         # Far ends may have been cut for another radius' sake; sides by themselves know none.
         if rounded > _SURELY and not _leaves_sides(even, found.model, fits.stretch[..., 1]):
-            middle = place_text(path.frames.origin[len(path) // 2])
-            radius = float(np.median(found.model.radius)) * strip.reach
-            raise ScanError(
-                f"A rounding of radius {radius:.3g} mm near ({middle}) leaves next to nothing of "
-                "one side, and where that met the other one is not known. Click elsewhere across "
-                "the rounding or along it, or scan denser."
-            )
+            raise _no_side_left(strip, found.model)
         return None
     together, borrowed = _section_by_section(even, found, fits, lasts)
     if _worse_than_alone(even, together, fits):
@@ -109,6 +103,17 @@ def fit_rounded(
         other, _ = _section_by_section(even, sharp, fits, lasts)
         together = together.or_else(other, 1.0 - rounded)
     return together, borrowed, found.agreeing
+
+
+def _no_side_left(strip: RoundedStrip, model: Rounded) -> ScanError:
+    radius = float(np.median(model.radius)) * strip.reach
+    middle = strip.frames.origin[len(strip.frames) // 2]
+    least = _LEAST_SIDE * strip.pitch * strip.reach
+    return ScanError(
+        f"Something like a rounding of radius {radius:.2g} mm near ({place_text(middle)}) leaves "
+        f"less than {least:.2g} mm of one side, and where that met the other one is not known. "
+        "Click elsewhere across the rounding or along it, or scan denser."
+    )
 
 
 def _searched(
