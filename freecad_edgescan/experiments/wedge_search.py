@@ -155,6 +155,11 @@ def wedge_table(found: Sequence[Judged]) -> str:
         f"{len(found)} wedges: {len(found) - len(scanned)} refused, {wrong} farther off than "
         f"stated, {elsewhere} of these somewhere else."
     )
+    lines.append(
+        f"Farther off than stated: more than {_SHARE:.0%} of the edge points are beyond {_OFF:g} "
+        f"stated standard deviations, one is beyond {_FAR_OFF:g}, or their rms is above {_RMS:g}. "
+        f"Somewhere else: most are beyond {_OFF:g}."
+    )
     return "\n".join(lines)
 
 
