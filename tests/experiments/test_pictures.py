@@ -26,15 +26,27 @@ def cloud():
 
 @pytest.fixture(scope="module")
 def edges(cloud):
+    return scanned(cloud)
+
+
+def scanned(cloud):
     ways = zip(BOX.starts(10.0), BOX.gates(10.0), strict=True)
     return [scan_edge(cloud, at=Start(*start), gate=Gate(*gate)) for start, gate in ways]
 
 
-def test_signed_errors_are_no_larger_than_distances_and_mostly_within_two_sigma(edges) -> None:
+def test_signed_errors_are_no_larger_than_distances(edges) -> None:
     for edge, truth in zip(edges, BOX.edges, strict=True):
         errors = signed_errors(edge, truth)
         assert np.all(np.abs(errors) <= truth.distance(edge.points) + 1e-9)
-        assert np.mean(np.abs(errors) <= 2 * edge.sigma) > 0.8
+
+
+def test_signed_errors_are_mostly_within_two_sigma(edges) -> None:
+    """A rim's errors are alike over a fifth of it, so that six rims are asked together."""
+    found = [*zip(edges, BOX.edges, strict=True)]
+    for seed in (1, 2):
+        found += zip(scanned(BOX.cloud(0.5, seed=seed)), BOX.edges, strict=True)
+    within = [np.abs(signed_errors(edge, truth)) <= 2 * edge.sigma for edge, truth in found]
+    assert np.mean(np.concatenate(within)) > 0.85
 
 
 def test_signed_errors_grow_when_the_points_move_out_of_the_wedge(edges) -> None:
