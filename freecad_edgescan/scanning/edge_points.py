@@ -126,6 +126,10 @@ def measure_together(
     path : sections along the edge
     noise : standard deviation of the points along the normal, mm
     about : radius of a rounding that has been found between the sides, mm
+
+    Raises
+    ------
+    ScanError: a rounding leaves next to nothing of a side.
     """
     points, plausible, extent = _strip(cloud, path, settings, noise)
     pooled, used = _decided(points, plausible, path, settings, noise)

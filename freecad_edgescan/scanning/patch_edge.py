@@ -46,7 +46,8 @@ def finish_edge(
 
     Raises
     ------
-    ScanError: the cloud holds probe centres and nothing tells on which side the air is.
+    ScanError: the cloud holds probe centres and nothing tells on which side the air is; a rounding
+        leaves next to nothing of a side.
     """
     settings = chosen.settings
     met = float(np.median([station.noise for station in trace.stations]))

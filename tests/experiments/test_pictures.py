@@ -40,8 +40,26 @@ def test_signed_errors_are_no_larger_than_distances(edges) -> None:
         assert np.all(np.abs(errors) <= truth.distance(edge.points) + 1e-9)
 
 
-def test_signed_errors_are_mostly_within_two_sigma(edges) -> None:
-    """A rim's errors are alike over a fifth of it, so that six rims are asked together."""
+@pytest.mark.parametrize(
+    "rim",
+    [
+        pytest.param(
+            0,
+            marks=pytest.mark.xfail(
+                strict=True,
+                reason="known: 72 % of them are; its sigma is stated too small",
+            ),
+        ),
+        1,
+    ],
+)
+def test_signed_errors_of_a_rim_are_mostly_within_two_sigma(edges, rim) -> None:
+    errors = signed_errors(edges[rim], BOX.edges[rim])
+    assert np.mean(np.abs(errors) <= 2 * edges[rim].sigma) > 0.8
+
+
+def test_signed_errors_of_all_rims_are_mostly_within_two_sigma(edges) -> None:
+    """A rim's errors are alike over a fifth of it; here are three clouds of both."""
     found = [*zip(edges, BOX.edges, strict=True)]
     for seed in (1, 2):
         found += zip(scanned(BOX.cloud(0.5, seed=seed)), BOX.edges, strict=True)

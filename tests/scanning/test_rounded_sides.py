@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Sides fitted together with the rounding between them, where they tell little by themselves."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -156,6 +157,17 @@ def test_no_edge_is_stated_beside_a_rounding_that_leaves_nothing_of_a_side(land,
         return
     off = np.hypot(edge.points[:, 1] + 2.5 + land, edge.points[:, 2])
     assert np.median(off) < 0.1 * PITCH
+
+
+def test_what_is_refused_is_told_with_its_radius():
+    told = []
+    for land, seed in [(0.0, 0), (0.0, 2), (0.3, 0), (0.3, 2)]:
+        try:
+            scan_edge(rounded_beside_a_narrow_side(land, seed), at=(0.3, -0.7, -0.7))
+        except ScanError as refusal:
+            told += re.findall(r"rounding of radius (\S+) mm near .* of one side", str(refusal))
+    assert len(told) >= 2  # others may be refused for other reasons, or be found
+    assert np.array(told, dtype=float) == pytest.approx(2.5, rel=0.15)
 
 
 @pytest.mark.parametrize("seed", range(2))
