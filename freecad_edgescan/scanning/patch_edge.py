@@ -61,8 +61,6 @@ def finish_edge(
         path = laid_again(measured, path, *pitches)
         radius = float(np.median(measured.fits.radius)) * settings.reach
         again = measure_together(cloud, path, settings, noise, radius)
-        if not isinstance(again.fits, RoundedFits):
-            break  # a rounding that comes and goes says nothing for other sections
         measured = again
     if not trace.closed:
         measured = _without_unsupported_ends(measured, trace.stops, settings.cloud_pitch)

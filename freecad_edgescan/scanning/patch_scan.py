@@ -15,11 +15,10 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from ..geometry.place_text import place_text
-from .automatic import Chosen, choose_parameters
-from .corner import corners
+from .automatic import choose_parameters
+from .edge_checks import check_edge
 from .edge_gate import LineGate, PointGate, heading_for, make_gate
 from .errors import ScanError
-from .fillet import gap_under_rounding
 from .first_section import first_section, place_to_look
 from .gait import AdaptiveGait
 from .parameters import ScanParameters
@@ -27,18 +26,15 @@ from .patch_edge import finish_edge
 from .patch_section import PatchSection
 from .progress import Progress
 from .report import describe
-from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge
 from .section import Station
 from .start import Gate, Start
 from .stop import Stop
 from .trace import Trace, trace_both_ways, trace_one_way
 
-__all__ = ["FEWEST_POINTS", "check_edge", "scan_with_patches"]
+__all__ = ["FEWEST_POINTS", "scan_with_patches"]
 
 Point = Sequence[float] | np.ndarray
-_BESIDE = 1.2  # pitches: what an edge may be off its points besides where its sides begin
-_CURLED, _BESIDE_CURLED = 0.5, 0.8  # rad by which both sides curl, and what it may be off then
 FEWEST_POINTS = 3  # edge points that make an edge
 
 
@@ -92,55 +88,3 @@ def _trace(
     if arrived is not None and start is None:
         first = heading_for(first, arrived)
     return trace_one_way(section, first, gait, arrived, progress)
-
-
-def check_edge(edge: ScannedEdge, cloud: PointCloud, chosen: Chosen) -> None:
-    """Refuse what is no edge.
-
-    Raises
-    ------
-    ScanError: it is known too badly, or its sides come together far outside the points.
-    """
-    _check_known(edge, chosen)
-    _check_beside_points(edge, cloud)
-
-
-def _check_known(edge: ScannedEdge, chosen: Chosen) -> None:
-    """An edge known worse than the cloud's pitch is none."""
-    sigma = float(np.median(edge.sigma)) if len(edge) else 0.0
-    pitch = chosen.settings.cloud_pitch
-    if sigma > pitch:
-        raise ScanError(
-            f"What meets near ({place_text(edge.points[len(edge) // 2])}) is known only to "
-            f"{sigma:.3g} mm (one sigma), worse than the cloud's pitch of {pitch:.3g} mm: the "
-            "sides are too narrow, too curved or too noisy. Click elsewhere, or scan denser."
-        )
-
-
-def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
-    """An edge farther from its points than its sides begin is that of two sides bent together.
-
-    However a rounding, a chamfer or wear has taken an edge away, the sides' own first points are
-    where they begin.
-    """
-    if not len(edge) or not isinstance(edge.scan_lines, ScanLines):
-        return
-    lines, away = edge.scan_lines, float(np.median(edge.overhang))
-    fits = lines.fits
-    begins = float(np.median(fits.begins.min(axis=1)))
-    middle = edge.points[len(edge) // 2]
-    beside = cloud.points[cloud.tree.query(middle)[1]]
-    pitch = float(cloud.local_pitch(beside[None])[0, 0])
-    # Sides that curl towards each other have no edge but under a rounding that touches both. The
-    # faces of a plate meet in no other way: sides that curl apart were nearer each other before.
-    half = float(np.median(corners(lines.frames, fits).half_angle))
-    rounded = float(gap_under_rounding(np.median(fits.begins.max(axis=1)), half))
-    curl = -fits.coefficients[..., 2] * (fits.ends - fits.begins) / fits.reach
-    curled = float(np.median(curl.sum(axis=1))) > _CURLED
-    if away > begins + _BESIDE * pitch or (curled and away > rounded + _BESIDE_CURLED * pitch):
-        raise ScanError(
-            f"The sides near ({place_text(middle)}) come together {away:.3g} mm outside the "
-            f"points, although they begin {begins:.2g} mm from there: they are the two faces of "
-            "something too thin for this pitch, and have no edge there. An edge needs sides of "
-            "four pitches; click on a wider one, or scan denser."
-        )

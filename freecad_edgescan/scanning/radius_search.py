@@ -80,18 +80,30 @@ def of_some_radii(
 ) -> SeenRadii:
     """Fit the sides with each of some radii, in reaches, as far as there is room for them."""
     widest = WIDEST * float(np.median(BLOCK_EDGES[lasts]))
+    blurred = strip.blurred()
     odds: list[float] = []
     models: list[Rounded] = []
     for radius in radii:
         model = Rounded(coefficients, np.full(len(strip.frames), radius))
-        model, _ = moved(strip, model, expected, COARSE, free=False)
-        model = settled(strip, model, expected, free=False).model
+        model, _ = moved(blurred, model, expected, COARSE, free=False)
+        model = settled(blurred, model, expected, free=False).model
         if models and float(np.median(strip.rows(model)[0].begins)) > widest:
             break
-        odds.append(_evidence(strip, model))
+        odds.append(_evidence(blurred, model))
         models.append(model)
         coefficients = model.coefficients
-    return SeenRadii(models, np.array(odds))
+    seen = SeenRadii(models, np.array(odds))
+    return seen if blurred is strip else _sharply(strip, blurred, seen, expected)
+
+
+def _sharply(
+    strip: RoundedStrip, blurred: RoundedStrip, seen: SeenRadii, expected: Expected
+) -> SeenRadii:
+    """The sharpest and the likeliest of the roundings once more, with the strip's true noise."""
+    models = [settled(strip, seen.sharpest, expected, free=False).model]
+    if len(seen.models) > 1:
+        models.append(settled(blurred, seen.likeliest, expected, free=True).model)
+    return SeenRadii(models, np.array([_evidence(strip, model) for model in models]))
 
 
 def _evidence(strip: RoundedStrip, model: Rounded) -> float:

@@ -9,14 +9,14 @@ other edges begin before this one ends.
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import convolve1d
+from scipy.ndimage import convolve1d, uniform_filter1d
 
 from .agreed_shape import curvatures_of_each
 from .normal_equations import BLOCK_EDGES, BLOCKS, block_of
 from .rounded_rows import Rounded
 from .rounded_strip import FAR, FINE, POOLED, Expected, RoundedStrip, moved
 
-__all__ = ["beyond_rounding", "even_stretch", "without_far_ends"]
+__all__ = ["beyond_rounding", "even_stretch", "moved_by_last_block", "without_far_ends"]
 
 _ROUNDS = 5
 _FAR_END = 3.5  # standard deviations by which the mean of a block, or of a pitch, may be off
@@ -25,6 +25,8 @@ _BENDING = 12.0  # standard deviations, farther off than which is another surfac
 _OF_A_BLOCK = 8.0  # the same, of a side's last block
 _MOST_BENT = 0.25  # of an edge, at each end
 _LEAST_SIDE = 2.0  # pitches
+_BY_CHANCE = 2.0  # times that what noise moves may be met by chance
+_ALIKE = 2 * POOLED + 1  # sections over which what is left of another surface is much the same
 _FEW = 3  # points of a block that count
 _LOST = 0.25  # share of them that may be off
 _NEARER, _OTHERWISE = 0.65, 2.3  # share of a side, and standard deviations it may be bent otherwise
@@ -143,3 +145,29 @@ def even_stretch(
         first + even[0] if open_ends[0] and even[0] else -np.inf,
         first + even[-1] + 1 if open_ends[1] and even[-1] < pitches - 1 else np.inf,
     )
+
+
+def moved_by_last_block(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> np.ndarray:
+    """Variance (m, 2) by which the sides' last blocks move the edge beyond what noise does.
+
+    Where another rounding has begun unnoticed within the scatter, the side turns towards it: the
+    same question as at its beginning (Hausman, Econometrica 46, 1978; see `choose_stretches`).
+    Where nothing is left without the last block it is not asked. In reaches².
+    """
+    expected, mode = Expected.nothing(len(lasts)), "wrap" if strip.closed else "nearest"
+    together, covariance = moved(strip, model, expected, FINE)
+    begins = strip.rows(together)[0].begins
+    astray = np.zeros(lasts.shape)
+    for side, position in ((0, 0), (1, 4)):
+        nearer = lasts.copy()
+        nearer[:, side] -= 1
+        left = BLOCK_EDGES[nearer[:, side]] - begins[:, side] > _LEAST_SIDE * strip.pitch
+        if not left.any():
+            continue
+        without, wider = moved(strip.within(BLOCK_EDGES[nearer]), together, expected, FINE)
+        gap = without.coefficients[:, side, 0] - together.coefficients[:, side, 0]
+        by_chance = np.maximum(wider[:, position, position] - covariance[:, position, position], 0)
+        more = np.where(left, np.square(gap) - _BY_CHANCE * by_chance, 0.0)
+        more = uniform_filter1d(more, min(_ALIKE, len(more)), mode=mode)
+        astray[:, side] = np.maximum(more, 0.0)
+    return astray

@@ -33,8 +33,8 @@ class RoundedFits(SideFits):
         """Covariance (m, 2, 2) of the two sides' positions, and its shared part; see `SideFits`."""
         of_both = np.zeros((len(terms), 2, 9))
         of_both[:, 0, :4], of_both[:, 1, 4:8] = terms[:, 0], terms[:, 1]
-        turned = np.swapaxes(of_both, 1, 2)
-        return of_both @ self.joint @ turned, of_both @ self.joint_shared @ turned
+        turned, astray = np.swapaxes(of_both, 1, 2), self.astray[..., None] * np.eye(2)
+        return of_both @ self.joint @ turned + astray, of_both @ self.joint_shared @ turned + astray
 
     def or_else(self, other: RoundedFits, share: float) -> RoundedFits:
         """These fits, or others with a probability: their mean, and the covariance about it."""
@@ -57,6 +57,7 @@ class RoundedFits(SideFits):
             radius=mean[:, 8],
             joint=joint,
             joint_shared=shared,
+            astray=(1.0 - share) * self.astray + share * other.astray,
         )
 
     def _unknowns(self) -> np.ndarray:

@@ -31,7 +31,12 @@ from .radius_search import (
     settled,
     some_radii,
 )
-from .rounded_ends import beyond_rounding, even_stretch, without_far_ends
+from .rounded_ends import (
+    beyond_rounding,
+    even_stretch,
+    moved_by_last_block,
+    without_far_ends,
+)
 from .rounded_fits import RoundedFits
 from .rounded_rows import Rounded, solved
 from .rounded_strip import POOLED, Expected, RoundedStrip, stepped
@@ -48,6 +53,7 @@ _NO_CIRCLE = 2.0  # mean square of the points about a rounding, in variances, th
 _OF_A_CIRCLE = 5.0  # standard deviations, farther off than which is another surface
 _OF_A_SECTION = 3.5  # the same, when a section is fitted by itself
 _LEAST_SIDE, _NARROW = 1.5, 0.3  # pitches of a side beyond the rounding, and share with less
+_A_PIECE = 0.5  # of a side that was fitted by itself, on the rounding
 _WORSE, _SOME = 0.5, 0.1  # variances by which they may fit worse, and share of sections that may
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
@@ -86,13 +92,18 @@ def fit_rounded(
     strip = RoundedStrip.of(points, noise, path, settings, counted)
     expected = Expected.nothing(len(path))
     mine, seen, lasts = _searched(strip, fits, expected, about)
+    if not len(mine.place):  # no side reaches as far as its points
+        return None
     even, found = _between_even_ends(mine, seen.likeliest, expected, path)
     rounded = seen.rounded(mine, found.model)
     if rounded < _UNLIKELY:
         return None
     if not _is_a_circle(even, found.model) or not _leaves_sides(even, found.model, lasts):
         # Far ends may have been cut for another radius' sake; sides by themselves know none.
-        if rounded > _SURELY and not _leaves_sides(even, found.model, fits.stretch[..., 1]):
+        if rounded > _SURELY and (
+            not _leaves_sides(even, found.model, fits.stretch[..., 1])
+            or _within_rounding(even, found.model, fits)
+        ):
             raise _no_side_left(strip, found.model)
         return None
     together, borrowed = _section_by_section(even, found, fits, lasts)
@@ -193,6 +204,14 @@ def _leaves_sides(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> boo
     return bool(np.quantile(beyond, _NARROW, axis=0).min() >= _LEAST_SIDE * strip.pitch)
 
 
+def _within_rounding(strip: RoundedStrip, model: Rounded, alone: SideFits) -> bool:
+    """Whether one of the sides that were fitted by themselves is a piece of the rounding."""
+    begins, ends = (BLOCK_EDGES[alone.stretch[..., k]] for k in (0, 1))
+    rounded = np.clip(strip.rows(model)[0].begins, begins, ends) - begins
+    share = rounded / (ends - begins)
+    return bool(np.quantile(share, 1.0 - _NARROW, axis=0).max() > _A_PIECE)
+
+
 def _section_by_section(
     strip: RoundedStrip, found: Settled, fits: SideFits, lasts: np.ndarray
 ) -> tuple[RoundedFits, np.ndarray]:
@@ -227,7 +246,7 @@ def _section_by_section(
             count=count,
             stretch=np.stack([firsts, lasts], axis=-1),
             accepted=fits.accepted,
-            astray=np.zeros_like(variance),
+            astray=moved_by_last_block(strip, found.model, lasts),
             expectation=fits.expectation,
             radius=model.radius,
             joint=covariance,

@@ -37,6 +37,8 @@ _SMALLEST = 0.05  # pitches
 _MOST_CHANGED = 0.4  # of a radius, and half a pitch, in one step
 _LEAST_NOISE = 0.3  # of the usual, in a section that has met less
 _NO_NOISE = 1e-6  # reaches
+# Pitches of noise: with less, hardly any point of a rounding lies on one of nearly its radius.
+_BLURRED = 0.05
 
 
 @dataclass(frozen=True)
@@ -154,6 +156,13 @@ class RoundedStrip:
     def misfit(self, off: np.ndarray) -> float:
         """Sum of squares of residuals (n,), each at most that of three standard deviations."""
         return float(np.sum(self.crowd * np.minimum(off**2, 9.0))) / self.counted
+
+    def blurred(self) -> RoundedStrip:
+        """The same points with enough noise to search for a radius among a few."""
+        least = _BLURRED * self.pitch
+        if float(np.median(self.noise)) >= least:
+            return self
+        return replace(self, noise=np.maximum(self.noise, least))
 
     def within(self, ends: np.ndarray) -> RoundedStrip:
         """Only the points nearer to the edge than the ends of their sides, (m, 2)."""

@@ -147,6 +147,11 @@ class SideFits:
         """How much of each side most sections see, (2,) mm."""
         return np.asarray(np.median(self.ends - self.begins, axis=0))
 
+    @property
+    def inward_curl(self) -> np.ndarray:
+        """Angle by which each side bends inwards, as a rounding does, where it is seen, (m, 2)."""
+        return np.asarray(-self.coefficients[..., 2] * (self.ends - self.begins) / self.reach)
+
     def within(self, points: SectionPoints) -> np.ndarray:
         """Whether the points lie in the stretch of their own side, (n,) bool."""
         begins, ends = (points.of_their_sides(each) for each in (self.begins, self.ends))

@@ -10,9 +10,10 @@ from scipy.spatial import cKDTree
 
 from ...cloud.point_cloud import PointCloud
 from ..automatic import Chosen
+from ..edge_checks import check_edge
 from ..errors import ScanError
 from ..patch_edge import finish_edge
-from ..patch_scan import FEWEST_POINTS, check_edge
+from ..patch_scan import FEWEST_POINTS
 from ..patch_section import PatchSettings
 from ..report import describe
 from ..scan_lines import ScanLines

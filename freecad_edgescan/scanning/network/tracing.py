@@ -19,12 +19,12 @@ from ..gait import AdaptiveGait
 from ..patch_section import PatchSection
 from ..scanned_edge import ScannedEdge
 from ..section import Frames, Station
+from ..sides_beyond import sides_beyond
 from ..stop import Stop
 from ..trace import Trace, turned
 from ..walker import walk
 from .cloud_workers import CloudWorkers
 from .finishing import finished, part_of_trace, parted_at_bend
-from .sides_beyond import sides_beyond
 from .soundness import corners_within, sound_stretches
 from .strips import NOBODY, Strips
 from .tracks import Track, leading_on

@@ -8,10 +8,10 @@ import pytest
 
 import freecad_edgescan as es
 from freecad_edgescan.scanning.automatic import choose_parameters
-from freecad_edgescan.scanning.network.sides_beyond import sides_beyond
 from freecad_edgescan.scanning.parameters import ScanParameters
+from freecad_edgescan.scanning.sides_beyond import sides_beyond
 
-from .test_one_edge import LENGTH, NOISE, PITCH, WIDTH, wedge
+from .network.test_one_edge import LENGTH, NOISE, PITCH, WIDTH, wedge
 
 RADIUS, DEPTH = 20.0 * PITCH, 11.0 * PITCH
 
