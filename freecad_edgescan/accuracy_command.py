@@ -22,8 +22,8 @@ _SEEDS = 5  # clouds of each simple part
 def measure(options: argparse.Namespace) -> int:
     """Print the tables that are asked for, write the page about them, and answer the exit code."""
     _check_numbers(options)
-    if options.wedges is not None:
-        return _wedges(options)
+    if options.wedges is not None or options.steps is not None:
+        return _at_random(options)
     if options.sharp:
         raise ValueError("--sharp belongs to --wedges; give it, or leave --sharp out.")
     if options.report is not None:
@@ -134,7 +134,8 @@ def _under_fillets(report: Any, options: argparse.Namespace) -> str:
     )
 
 
-def _wedges(options: argparse.Namespace) -> int:
+def _at_random(options: argparse.Namespace) -> int:
+    """Scan wedges or steps at random, and those that are wrong again."""
     from freecad_edgescan.experiments.wedge_search import (
         by_chance,
         scanned_again,
@@ -142,20 +143,25 @@ def _wedges(options: argparse.Namespace) -> int:
         wedge_table,
     )
 
-    others = ("parts", "peers", "fillet", "seeds", "report")
-    for given, word in ((getattr(options, name), name) for name in others):
+    word = "steps" if options.wedges is None else "wedges"
+    others = ("parts", "peers", "fillet", "seeds", "report", *(["steps"] * (word == "wedges")))
+    for given, other in ((getattr(options, name), name) for name in others):
         if given:
-            raise ValueError(f"--wedges are scanned instead of parts; leave --{word} out.")
-    if options.wedges < 1:
-        raise ValueError(f"--wedges is {options.wedges}; give 1 or more.")
-    with TerminalProgress("wedges") as progress:
-        found = search(options.wedges, not options.sharp, 100_000 * options.seed, progress=progress)
-    print(wedge_table(found))
+            raise ValueError(f"--{word} are scanned instead of parts; leave --{other} out.")
+    count = getattr(options, word)
+    if count < 1:
+        raise ValueError(f"--{word} is {count}; give 1 or more.")
+    if options.sharp and word == "steps":
+        raise ValueError("--sharp belongs to --wedges; leave it out.")
+    kind = "sharp wedges" if options.sharp else word
+    with TerminalProgress(kind) as progress:
+        found = search(count, kind, 100_000 * options.seed, progress=progress)
+    print(wedge_table(found, kind))
     wrong = [judged for judged in found if judged.wrong]
-    if wrong and len(found) == options.wedges:
+    if wrong and len(found) == count:
         with TerminalProgress("again") as progress:
-            again = scanned_again(wrong, not options.sharp, progress=progress)
-        print(by_chance(again))
+            again = scanned_again(wrong, kind, progress=progress)
+        print(by_chance(again, kind))
     return exit_code(progress, bool(found))
 
 

@@ -65,5 +65,9 @@ def add_accuracy_options(accuracy: argparse.ArgumentParser) -> None:
         "--sharp", action="store_true", help="of --wedges, only such without a rounding"
     )
     accuracy.add_argument(
+        "--steps", type=whole_number, metavar="N",
+        help="the same with N steps: two edges, sharp or rounded, a narrow land between them",
+    )  # fmt: skip
+    accuracy.add_argument(
         "--seed", type=whole_number, default=0, metavar="N", help="of the random numbers"
     )

@@ -21,7 +21,7 @@ from freecad_edgescan.experiments.wedge_search import (
 
 @pytest.fixture(scope="module")
 def sharp():
-    return search(80, rounded=False, jobs=1)
+    return search(80, "sharp wedges", jobs=1)
 
 
 def test_no_sharp_edge_is_found_somewhere_else(sharp) -> None:
@@ -32,7 +32,7 @@ def test_no_sharp_edge_is_found_somewhere_else(sharp) -> None:
 
 def test_sigmas_of_sharp_edges_are_true_however_the_cloud_is_spoilt(sharp) -> None:
     """A two-dimensional normal distribution: median 1.18, 95 % below 2.45."""
-    assert {judged.wedge.spoilt for judged in sharp} == set(SPOILT)
+    assert {judged.shape.spoilt for judged in sharp} == set(SPOILT)
     found = np.concatenate([judged.distances for judged in sharp])
     assert 0.95 < np.median(found) < 1.5
     assert np.percentile(found, 95) < 3.2
@@ -45,7 +45,7 @@ def test_no_rounded_edge_is_found_somewhere_else() -> None:
 @pytest.mark.parametrize("number", [283, 415, 506, 543])
 def test_no_wedge_is_wrong_in_most_of_its_scans(number: int) -> None:
     """Sides of six to eight pitches beside a rounding half as wide, in noise of 0.3 pitches."""
-    again = [judge((number, True, sample)) for sample in range(1, 6)]
+    again = [judge(("wedges", number, sample)) for sample in range(1, 6)]
     assert sum(judged.wrong for judged in again) <= 2
 
 
@@ -76,17 +76,17 @@ def test_another_scan_of_a_wedge_has_other_points_of_the_same_sides() -> None:
         _, same, same_click, _ = make_wedge(number, rounded=True, sample=3)
         assert np.array_equal(same.points, other.points)
         assert np.array_equal(same_click, click)
-    found = search(2, rounded=False, first=5, jobs=1)
-    again = scanned_again(found, rounded=False, times=3, jobs=1)
-    assert [judged.wedge.number for judged in again] == [5, 5, 5, 6, 6, 6]
+    found = search(2, "sharp wedges", first=5, jobs=1)
+    again = scanned_again(found, "sharp wedges", times=3, jobs=1)
+    assert [judged.shape.number for judged in again] == [5, 5, 5, 6, 6, 6]
     assert len({judged.errors.sum() for judged in [*found, *again]}) == 8
 
 
 def test_what_is_wrong_by_chance_is_told_from_what_is_mostly_wrong() -> None:
-    right = judge((0, False, 0))
+    right = judge(("sharp wedges", 0, 0))
     wrong = replace(right, distances=right.distances + 8.0)
-    other = replace(right, wedge=replace(right.wedge, number=1))
-    said = by_chance([right, right, wrong, *[replace(wrong, wedge=other.wedge)] * 2, other])
+    other = replace(right, shape=replace(right.shape, number=1))
+    said = by_chance([right, right, wrong, *[replace(wrong, shape=other.shape)] * 2, other])
     assert said == (
         "These 2 wedges scanned 3 times more, with other points: 3 of 6 scans are farther off than "
         "stated; more than half of its scans are with 1 of the wedges: 1."
@@ -94,7 +94,7 @@ def test_what_is_wrong_by_chance_is_told_from_what_is_mostly_wrong() -> None:
 
 
 def test_an_edge_that_is_farther_off_than_stated_is_told() -> None:
-    judged = judge((0, False, 0))
+    judged = judge(("sharp wedges", 0, 0))
     assert not judged.wrong
     wrong = replace(judged, distances=judged.distances + 8.0)
     one = replace(judged, distances=np.append(np.ones(20), 7.5))
@@ -108,9 +108,9 @@ def test_an_edge_that_is_farther_off_than_stated_is_told() -> None:
 
 
 def test_a_scan_that_fails_is_no_refusal(monkeypatch) -> None:
-    def broken(task: tuple[int, bool, int]) -> None:
+    def broken(task: tuple[str, int, int]) -> None:
         raise ZeroDivisionError("oh")
 
     monkeypatch.setattr(wedge_search, "judge", broken)
-    with pytest.raises(RuntimeError, match="wedge 7"):
+    with pytest.raises(RuntimeError, match="wedges, number 7"):
         search(1, first=7, jobs=1)
