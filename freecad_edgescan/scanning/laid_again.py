@@ -49,7 +49,9 @@ def laid_again(
     """
     seen, fits, frames = measured.corners(), measured.fits, measured.frames
     sigma = largest_sigma(seen.covariance)
-    known = np.flatnonzero(seen.found & (sigma < _BADLY_KNOWN * np.median(sigma)))
+    asked = sigma < _BADLY_KNOWN * np.median(sigma)
+    asked[[0, -1]] = True  # however badly its ends are known, the edge does not become shorter
+    known = np.flatnonzero(seen.found & asked)
     if len(known) < _FEWEST:
         return path
     standing = frames_from_sides(

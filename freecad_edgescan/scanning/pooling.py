@@ -24,7 +24,7 @@ from .side_fit import (
     SideFits,
     choose_stretches,
     fit_summed,
-    moved_by_first_blocks,
+    moved_between,
 )
 
 _POOLED = 4  # sections on each side that decide together
@@ -88,7 +88,7 @@ def fitted_again(
     for without in LATER:
         gap, by_chance = (
             uniform_filter1d(part, min(_ALIKE, len(path)), axis=0, mode=mode)
-            for part in moved_by_first_blocks(fits, fit(without, *expected))
+            for part in moved_between(fits, fit(without, *expected))
         )
         astray = np.maximum(astray, gap - _BY_CHANCE * by_chance)
     return replace(fits, accepted=fits.accepted & pooled.accepted, astray=astray)

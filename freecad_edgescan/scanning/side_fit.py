@@ -316,12 +316,13 @@ def _apart(
     return np.square(rest - position), free
 
 
-def moved_by_first_blocks(fits: SideFits, rest: SideFits) -> tuple[np.ndarray, np.ndarray]:
+def moved_between(fits: SideFits, rest: SideFits) -> tuple[np.ndarray, np.ndarray]:
     """Squared distance (m, 2) of the edge by two fits, and the variance noise gives it, reaches².
 
     Parameters
     ----------
-    rest : fits of the same stretches without their first block, or blocks
+    rest : fits of a part of the same points: of the stretches without their first blocks, or
+        without what neighbours have lent
     """
     gap, free = _apart(
         fits.coefficients[..., 0],
