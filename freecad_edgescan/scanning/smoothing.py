@@ -4,9 +4,9 @@
 An edge runs on smoothly; what its points scatter about a short parabola is noise. Each edge point
 becomes the value at its own section of a weighted least-squares parabola (of a line where the whole
 edge is one) through its neighbours. How many of these are asked is decided at each section: the
-parabola over a longer stretch is taken as long as it agrees with all those over shorter ones
-(Lepski, Theory of Probability and its Applications 35, 1991), so that a real change of the edge
-stays.
+parabola over a longer stretch is taken as long as its points lie on it and it agrees with all those
+over shorter ones (Lepski, Theory of Probability and its Applications 35, 1991), so that a real
+change of the edge stays.
 
 The points are not independent: their slabs overlap, each side's as far as it has asked neighbours
 for points, and they share what is known about the sides' curvature. Both are known, and with them
@@ -29,7 +29,7 @@ _MOST = 12  # neighbours on each side at most
 _LENGTHS = (0.3, 0.5, 0.75, 1.0)  # of the longest stretch, that are tried
 _AGREE = 9.2  # squared Mahalanobis distance beyond which two estimates differ (99 %)
 _ASTRAY = 16.0  # the same, of a point from what its neighbours say of it
-_MOST_MISFIT = 2.0  # variances, of those whose word is taken
+_MOST_MISFIT = 2.0  # variances, of the points about a parabola whose word is taken
 _EACH_WAY = 2  # neighbours on each side, at least, who say it
 # So many such points in a row are a mistake: stretches of the sides are decided for four sections
 # at a time. More of them are the edge.
@@ -82,10 +82,12 @@ def smoothed(
     good = [~alone]
     for share in _LENGTHS:
         width = max(round(share * near.reach), degree + 1)
-        weight, found = near.parabola(trusted & near.within(width), degree)
+        asked = trusted & near.within(width)
+        weight, found = near.parabola(asked, degree)
         mean = near.mean(weight)
         value, covariance = mean.value, mean.covariance
-        agrees = found.copy()
+        # Where the edge bends otherwise from here on it is no parabola, however close that comes.
+        agrees = found & (near.misfit(asked, degree) < _MOST_MISFIT)
         for before, other, known in zip(values, means, good, strict=True):
             # One section in a hundred is farther off by chance alone; that is no change.
             limit = _ASTRAY if other is means[0] else _AGREE
