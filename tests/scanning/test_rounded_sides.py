@@ -179,3 +179,45 @@ def test_beside_wide_sides_every_click_finds_the_edge_of_a_wide_rounding(click):
     off = np.linalg.norm(edge.points[:, 1:], axis=1)
     assert np.mean(off) < 0.02
     assert np.median(edge.fillet_radius) == pytest.approx(2.0, rel=0.03)
+
+
+@pytest.mark.parametrize("noise", [0.003, 0.005, 0.01])
+def test_a_rounding_is_found_however_little_noise_there_is(noise):
+    """None of the radii that are tried explains a point then, unless it is the true one."""
+    for seed in range(2):
+        cloud = rounded_beside_a_narrow_side(4.0, seed, radius=1.9, noise=noise)
+        edge = scan_edge(cloud, at=(0.3, -0.5, -0.5))
+        assert isinstance(edge.scan_lines.fits, RoundedFits)
+        assert np.median(edge.fillet_radius) == pytest.approx(1.9, rel=0.02)
+        assert np.median(np.linalg.norm(edge.points[:, 1:], axis=1)) < 2.0 * noise
+
+
+def between_two_roundings(land, seed, noise=0.02):
+    """Three faces along x with a land between two roundings, and the two edges (2, 2)."""
+    rng = np.random.default_rng(seed)
+    pieces = [(10.0, 0.0), (2.1, 1 / 1.5), (land, 0.0), (3.0, -1 / 2.0), (10.0, 0.0)]
+    place, way, edges, parts = -10.0 + 0.0j, 1.0 + 0.0j, [], []
+    for length, bend in pieces:  # places and directions in the section as complex numbers
+        s = rng.uniform(0.0, length, round(24.0 * length / PITCH**2))
+        turned, last = np.exp(1j * bend * s), np.exp(1j * bend * length)
+        run, whole = (turned - 1.0, last - 1.0) if bend else (s, length)
+        lasting = 1j * bend if bend else 1.0
+        if bend:
+            edges.append(place + way * np.tan(0.5 * abs(bend) * length) / abs(bend))
+        at = place + way * (run / lasting + noise * rng.normal(size=len(s)) * 1j * turned)
+        parts.append(np.column_stack([rng.uniform(-12.0, 12.0, len(s)), at.real, at.imag]))
+        place, way = place + way * whole / lasting, way * last
+    return PointCloud(np.vstack(parts)), np.array([[edge.real, edge.imag] for edge in edges])
+
+
+@pytest.mark.parametrize("land", [1.5, 2.5])
+def test_a_side_that_ends_in_the_next_rounding_is_known_as_far_as_that_lets_it(land):
+    """The next rounding begins within the scatter, and the land turns towards it."""
+    in_sigmas = []
+    for seed in range(4):
+        cloud, edges = between_two_roundings(land, seed)
+        edge = scan_edge(cloud, at=(0.3, *edges[0]))
+        off = np.linalg.norm(edge.points[:, 1:] - edges[0], axis=1)
+        in_sigmas.append(np.median(off / edge.sigma))
+    assert np.median(in_sigmas) < 2.0
+    assert max(in_sigmas) < 4.0

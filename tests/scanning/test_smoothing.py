@@ -126,6 +126,24 @@ def test_sections_are_averaged_by_what_their_sides_have_in_common(half_lengths):
     assert np.sqrt(variance[0]) < 0.35 * SIGMA
 
 
+@pytest.mark.parametrize("radius", [2.0, 5.0, 15.0])
+def test_where_a_line_becomes_an_arc_the_error_is_no_larger_than_stated(radius):
+    """A parabola comes close to both, and would be off by several of its sigmas between them."""
+    in_sigmas = []
+    for seed in range(40):
+        measured, edge = straight_sections(seed)
+        bent = np.maximum(edge.point[:, 0] - 10.0, 0.0) ** 2 / (2.0 * radius)
+        edge.point[:, 1] += bent
+        after = smoothed(measured, edge, 0.5, closed=False, straight=False)
+        across = across_axes(measured.frames.normals)
+        truth = measured.frames.origin + [0.0, 1.0, 0.0] * bent[:, None]
+        away = np.einsum("mai,mi->ma", across, after.point - truth)[12:28]
+        solved = np.linalg.solve(after.covariance[12:28], away[..., None])[..., 0]
+        in_sigmas.append(np.sqrt(np.sum(away * solved, axis=1)))
+    assert np.median(in_sigmas) < 1.5
+    assert np.percentile(in_sigmas, 95) < 3.2
+
+
 def straight_sections(seed=None, half_lengths=(0.25, 0.25)):
     """Sections on the x axis, 0.5 mm apart, scattered across it or not.
 
