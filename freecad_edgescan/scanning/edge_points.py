@@ -96,8 +96,13 @@ class Measured:
         """Edge points with both sides moved along the frames' normals, mm."""
         return corners(self.frames, self.fits, offset)
 
-    def rounding(self, cloud_pitch: float, closed: bool) -> tuple[np.ndarray, np.ndarray]:
-        """Radius of the rounding in the cloud and its sigma, (m,) mm; nan where there is none."""
+    def rounding(
+        self, cloud_pitch: float, closed: bool, circular: bool = False
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Radius of the rounding in the cloud and its sigma, (m,) mm; nan where there is none.
+
+        Of what is only roughly a circle, too, unless a circular one is asked for.
+        """
         if isinstance(self.fits, RoundedFits):
             radius, sigma = self.fits.measured_radius()
             return radius * self.fits.reach, sigma * self.fits.reach
@@ -110,6 +115,7 @@ class Measured:
             self.noise.max(axis=1),
             cloud_pitch,
             closed,
+            circular,
         )
 
 

@@ -17,6 +17,7 @@ from .section import Frames, SectionPoints
 _POOLED = 2
 _NEIGHBOURS = 5  # sections on each side whose radii are compared
 _ITERATIONS = 8
+_ROUND = 2.0  # variances, mean square of points about a rounding; those of a chamfer have more
 _EVIDENCE = 30.0  # chi-square by which a rounding must explain its points better than an edge
 
 
@@ -40,6 +41,7 @@ def rounding_radius(
     noise: np.ndarray,
     cloud_pitch: float,
     closed: bool,
+    circular: bool,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Radius of the rounding in the cloud and its sigma, (m,) mm; nan where there is none.
 
@@ -49,6 +51,7 @@ def rounding_radius(
     curvature : (m, 2) of the sides, 1/mm
     begins : (m, 2) distances from the edge where the sides begin, mm: no rounding is wider
     noise : (m,) mm
+    circular : whether only what is a circle counts; else also what is roughly one, as a chamfer
     """
     mode = "wrap" if closed else "constant"
     sections = len(frames)
@@ -107,6 +110,8 @@ def rounding_radius(
     used &= np.abs(residual) < 4.0 * noise[owner] + 0.25 * own
     sharp = np.abs(depth * sine[owner] - np.abs(width) * cosine[owner])
     gained = pool((sharp**2 - residual**2) / np.maximum(noise[owner], 1e-12) ** 2 * used)
+    count = pool(1.0 * used)
+    misfit = pool((residual / np.maximum(noise[owner], 1e-12)) ** 2 * used)
     with np.errstate(divide="ignore", invalid="ignore"):
         sigma = noise / np.sqrt(information / repeated)
     # An edge point that is off along the bisector looks like another radius; neighbours share
@@ -117,7 +122,14 @@ def rounding_radius(
     radius = straight / np.maximum(1.0 - straight * curvature.mean(axis=1), 0.2)
     sigma = sigma / np.maximum(1.0 - straight * curvature.mean(axis=1), 0.2) ** 2
     sigma = np.hypot(sigma, _scatter(radius, mode))
-    measurable = (radius > 2.0 * sigma) & (gained > _EVIDENCE) & (pool(1.0 * used) >= 5)
+    measurable = (radius > 2.0 * sigma) & (gained > _EVIDENCE) & (count >= 5)
+    if circular:
+        along = min(4 * _NEIGHBOURS + 1, sections)
+        squares, number = (
+            uniform_filter1d(part, along, mode="wrap" if closed else "nearest")
+            for part in (misfit, count)
+        )
+        measurable &= squares <= _ROUND * number
     return np.where(measurable, radius, np.nan), np.where(measurable, sigma, np.nan)
 
 

@@ -72,11 +72,12 @@ def finish_edge(
     measured = _cut_at(vertices, measured)
     frames = measured.frames
     seen = measured.corners()
-    rounding, rounding_sigma = measured.rounding(settings.cloud_pitch, trace.closed)
     probe = chosen.parameters.probe_radius or 0.0
-    convex = _convex(chosen, seen.normals, rounding, rounding_sigma)
+    roughly = measured.rounding(settings.cloud_pitch, trace.closed)
+    rounding = measured.rounding(settings.cloud_pitch, trace.closed, circular=True)
+    convex = _convex(chosen, seen.normals, *roughly)
     edge = measured.corners(-probe if convex else probe) if probe else seen
-    fillet, sigma = _fillet(rounding, rounding_sigma, probe, convex)
+    fillet, sigma = _fillet(*rounding, probe, convex)
     # The path knows the edge's direction from all its points, a section only from its own.
     straight = simplest_curve(edge.point, largest_sigma(edge.covariance), trace.closed)
     smooth = smoothed(

@@ -49,7 +49,9 @@ __all__ = ["fit_rounded"]
 _ROUNDS = 5
 _UNLIKELY = 0.02  # probability below which a rounding, or none, is left out of account
 _SURELY = 0.9  # that from which on no edge is known beside one that leaves no side
-_NO_CIRCLE = 2.0  # mean square of the points about a rounding, in variances, that is none
+# Mean square of the points about a rounding, in variances, and its own standard deviations above
+# that, from which on it is none.
+_NO_CIRCLE, _BY_CHANCE = 1.2, 3.0
 _OF_A_CIRCLE = 5.0  # standard deviations, farther off than which is another surface
 _OF_A_SECTION = 3.5  # the same, when a section is fitted by itself
 _LEAST_SIDE, _NARROW = 1.5, 0.3  # pitches of a side beyond the rounding, and share with less
@@ -192,10 +194,17 @@ def _worse_than_alone(strip: RoundedStrip, together: RoundedFits, alone: SideFit
 
 
 def _is_a_circle(strip: RoundedStrip, model: Rounded) -> bool:
-    """Whether there are points between the sides, and they lie on the rounding."""
+    """Whether there are points between the sides, and they lie on the rounding.
+
+    Those of a chamfer, or of wear, bring sides and a rounding together that are none of theirs.
+    """
     rows, off = strip.rows(model)
     arc = rows.on_arc & (np.abs(off) < _OF_A_CIRCLE)
-    return bool(arc.any() and np.average(off[arc] ** 2, weights=strip.crowd[arc]) <= _NO_CIRCLE)
+    if not arc.any():
+        return False
+    weight = strip.crowd[arc]
+    chance = _BY_CHANCE * np.sqrt(2.0 * strip.counted / weight.sum())
+    return bool(np.average(off[arc] ** 2, weights=weight) <= _NO_CIRCLE + chance)
 
 
 def _leaves_sides(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) -> bool:

@@ -76,9 +76,17 @@ def chamfered(width, noise, seed=0):
     return PointCloud(points)
 
 
-def test_a_chamfer_is_no_rounding():
-    edge = scan_edge(chamfered(1.5, 0.02), at=(0.3, 0.2, 0.2))
-    assert not isinstance(edge.scan_lines.fits, RoundedFits)
+@pytest.mark.parametrize(("width", "noise"), [(1.0, 0.02), (1.5, 0.02), (1.5, 0.05)])
+def test_a_chamfer_is_no_rounding(width, noise):
+    """Its sides meet where they met before it was cut, and no radius is stated."""
+    in_sigmas = []
+    for seed in range(3):
+        edge = scan_edge(chamfered(width, noise, seed), at=(0.3, 0.2, 0.2))
+        assert not isinstance(edge.scan_lines.fits, RoundedFits)
+        assert np.mean(np.isnan(edge.fillet_radius)) > 0.7
+        in_sigmas.append(np.median(np.linalg.norm(edge.points[:, 1:], axis=1) / edge.sigma))
+    assert np.median(in_sigmas) < 2.0
+    assert max(in_sigmas) < 4.0
 
 
 def test_a_reversed_edge_has_the_same_covariance_of_its_sides_positions(wedge):
