@@ -144,10 +144,11 @@ def _at_random(options: argparse.Namespace) -> int:
     )
 
     word = "steps" if options.wedges is None else "wedges"
-    others = ("parts", "peers", "fillet", "seeds", "report", *(["steps"] * (word == "wedges")))
-    for given, other in ((getattr(options, name), name) for name in others):
-        if given:
+    for other in ("parts", "peers", "fillet", "seeds", "report"):
+        if getattr(options, other):
             raise ValueError(f"--{word} are scanned instead of parts; leave --{other} out.")
+    if options.wedges is not None and options.steps is not None:
+        raise ValueError("--wedges and --steps are two searches; give one of them.")
     count = getattr(options, word)
     if count < 1:
         raise ValueError(f"--{word} is {count}; give 1 or more.")

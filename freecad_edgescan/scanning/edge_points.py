@@ -18,10 +18,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.ndimage import median_filter, uniform_filter1d
+from scipy.ndimage import median_filter
 
 from ..cloud.point_cloud import PointCloud
 from .aligned import in_line
+from .beyond_chance import beyond_chance
 from .corner import Corners, corners
 from .edge_path import EdgePath
 from .fillet import rounding_radius
@@ -58,7 +59,6 @@ _BENT = 0.2  # sagitta of a side, in noise, that may be a rounding's
 _MOVES = 2  # of sections that stand out of line: the first one is by sides that are badly known
 _STILL_SEEN = 0.8  # of the sides, when the sections have been moved into line
 _NO_NOISE = 1e-6  # reaches
-_BY_CHANCE = 2.0  # times that what noise moves may be met by chance
 _THIN = 0.25  # variance of an extrapolated side, in noise squared, that asks for more points
 
 
@@ -309,7 +309,6 @@ def _supplied_fits(
         )
 
     fits, summed, width, asked = fit(own), own, 0, np.zeros(own.shape[:2])
-    mode = "wrap" if path.closed else "nearest"
     for wider in _WIDER:
         thin = fits.inverse[..., 0, 0] > _THIN
         if not thin.any() or wider >= len(own) // 2:
@@ -320,10 +319,9 @@ def _supplied_fits(
         width = wider
         lent = fit(summed)
         # What neighbours say may be another thing than chance, since sides change along the edge.
-        gap, by_chance = moved_between(lent, fits)
-        more = np.where(thin, gap - _BY_CHANCE * by_chance, 0.0)
-        more = uniform_filter1d(more, min(2 * wider + 1, len(more)), axis=0, mode=mode)
-        lent = replace(lent, astray=fits.astray + np.maximum(more, 0.0))
+        gap, by_chance = (np.where(thin, part, 0.0) for part in moved_between(lent, fits))
+        more = beyond_chance(gap, by_chance, 2 * wider + 1, path.closed)
+        lent = replace(lent, astray=fits.astray + more)
         fits = fits.or_where(thin, lent)
         asked[thin] = wider
     return fits, asked

@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.ndimage import convolve1d, median_filter, percentile_filter, uniform_filter1d
 
+from .beyond_chance import beyond_chance
 from .edge_path import EdgePath
 from .neighbours import Neighbours
 from .normal_equations import BLOCK_EDGES, PRIOR_SIGMA, block_counts, block_moments, without_crowds
@@ -32,7 +33,6 @@ _STRIDES = (8, 6, 4)  # sections from one decision to the next, first to last
 _AT_ONCE = 40  # decisions whose stretches the processor's cache holds together
 _ALIKE_CURVED = (8, 24, 72)  # sections on each side that may share their curvature
 _ALIKE = 6 * (2 * _POOLED + 1)  # sections over which what is left of a rounding is much the same
-_BY_CHANCE = 2.0  # times that what noise moves may be met by chance, on their average
 _BESIDE = 5  # decisions that judge the one in their middle
 _LEAST_SEEN = 0.5  # of what they see, below which it is a stray
 # Of where the walk has seen a side begin. A single section rather runs into a rounding than that
@@ -82,15 +82,10 @@ def fitted_again(
     walked = path.frames.curvature * settings.reach
     expected = walked, np.full(walked.shape, PRIOR_SIGMA[2])
     fits = fit(0, *expected)
-    # What is left of a rounding is alike along the edge; chance is not.
-    mode = "wrap" if path.closed else "nearest"
     astray = np.zeros_like(fits.variance)
     for without in LATER:
-        gap, by_chance = (
-            uniform_filter1d(part, min(_ALIKE, len(path)), axis=0, mode=mode)
-            for part in moved_between(fits, fit(without, *expected))
-        )
-        astray = np.maximum(astray, gap - _BY_CHANCE * by_chance)
+        moved = moved_between(fits, fit(without, *expected))
+        astray = np.maximum(astray, beyond_chance(*moved, _ALIKE, path.closed))
     return replace(fits, accepted=fits.accepted & pooled.accepted, astray=astray)
 
 

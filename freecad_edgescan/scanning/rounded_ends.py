@@ -9,9 +9,10 @@ other edges begin before this one ends.
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import convolve1d, uniform_filter1d
+from scipy.ndimage import convolve1d
 
 from .agreed_shape import curvatures_of_each
+from .beyond_chance import beyond_chance
 from .normal_equations import BLOCK_EDGES, BLOCKS, block_of
 from .rounded_rows import Rounded
 from .rounded_strip import FAR, FINE, POOLED, Expected, RoundedStrip, moved
@@ -25,7 +26,6 @@ _BENDING = 12.0  # standard deviations, farther off than which is another surfac
 _OF_A_BLOCK = 8.0  # the same, of a side's last block
 _MOST_BENT = 0.25  # of an edge, at each end
 _LEAST_SIDE = 2.0  # pitches
-_BY_CHANCE = 2.0  # times that what noise moves may be met by chance
 _ALIKE = 2 * POOLED + 1  # sections over which what is left of another surface is much the same
 _FEW = 3  # points of a block that count
 _LOST = 0.25  # share of them that may be off
@@ -154,7 +154,7 @@ def moved_by_last_block(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) 
     same question as at its beginning (Hausman, Econometrica 46, 1978; see `choose_stretches`).
     Where nothing is left without the last block it is not asked. In reaches².
     """
-    expected, mode = Expected.nothing(len(lasts)), "wrap" if strip.closed else "nearest"
+    expected = Expected.nothing(len(lasts))
     together, covariance = moved(strip, model, expected, FINE)
     begins = strip.rows(together)[0].begins
     astray = np.zeros(lasts.shape)
@@ -167,7 +167,6 @@ def moved_by_last_block(strip: RoundedStrip, model: Rounded, lasts: np.ndarray) 
         without, wider = moved(strip.within(BLOCK_EDGES[nearer]), together, expected, FINE)
         gap = without.coefficients[:, side, 0] - together.coefficients[:, side, 0]
         by_chance = np.maximum(wider[:, position, position] - covariance[:, position, position], 0)
-        more = np.where(left, np.square(gap) - _BY_CHANCE * by_chance, 0.0)
-        more = uniform_filter1d(more, min(_ALIKE, len(more)), mode=mode)
-        astray[:, side] = np.maximum(more, 0.0)
+        square, by_chance = (np.where(left, part, 0.0) for part in (gap**2, by_chance))
+        astray[:, side] = beyond_chance(square, by_chance, _ALIKE, strip.closed)
     return astray

@@ -116,6 +116,9 @@ def test_two_planes_meet_in_the_edge_and_labels_lie_beside_it(monkeypatch) -> No
         (["--fillet", "1", "--wedges", "3"], "leave --fillet out"),
         (["--fillet", "-1"], "give 0 or a positive radius"),
         (["--sharp"], "belongs to --wedges"),
+        (["--steps", "3", "--sharp"], "belongs to --wedges"),
+        (["--steps", "0"], "--steps is 0; give 1 or more"),
+        (["--steps", "3", "--wedges", "3"], "give one of them"),
     ],
 )
 def test_options_that_do_not_go_together_are_one_sentence(capsys, words, said) -> None:
