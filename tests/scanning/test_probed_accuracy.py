@@ -7,130 +7,32 @@ off comes from the method alone: from curves that are no arcs, from planes that 
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
 from freecad_edgescan.cloud import TorusObject
-from freecad_edgescan.scanning import (
-    AnalyticCmm,
-    Gate,
-    ScannedEdge,
-    ScanParameters,
-    Start,
-    Stop,
-    scan_edge,
+from freecad_edgescan.scanning import ScannedEdge, Stop
+
+from .exact_torus import (
+    ALIKE,
+    ANGLE,
+    BARE,
+    BLUNT,
+    PROBED,
+    PROBED_BENDS,
+    ROUNDED,
+    WAYS,
+    azimuths,
+    bias,
+    errors,
+    named,
+    off_the_circle,
+    sagitta_of,
+    scanned,
+    steps,
+    tolerance_for,
 )
-from freecad_edgescan.scanning.error_model import largest_deviation, model_error
-from freecad_edgescan.scanning.safeguards import Safeguards
-
-ANGLE = np.radians(110.0)
-BEGIN = 0.1  # rad, where a scan starts
-SIDE = 6.0  # mm, length s of a line section where nothing else is said
-
-# Edges that bend: without a probe, with one, and with a rounding and one.
-BARE = TorusObject(50.0, 40.0, ANGLE)
-PROBED = TorusObject(50.0, 40.0, ANGLE, 0.0, 1.0)
-ROUNDED = TorusObject(20.0, 30.0, ANGLE, 1.0, 1.0)
-BLUNT = TorusObject(50.0, 40.0, np.radians(140.0), 0.5, 0.5)
-SHARP = TorusObject(50.0, 40.0, np.radians(90.0), 0.0, 1.0)
-
-PROBED_BENDS = [(PROBED, 1.0), (PROBED, 2.0), (SHARP, 2.0)]  # and edge pitch, mm
-WAYS = ["point", "curve", "intersection", "intersection_printed"]
-ALIKE = Safeguards(sharp_edge=False)  # all lines of an edge are scanned in the same way
-POINTS = 10  # of a line section where nothing else is said
-
-
-def tolerance_for(torus: TorusObject, side: float = SIDE) -> float:
-    """It lets in what a quadratic is off from the arc, and little of a rounding, mm."""
-    radius = torus.section_radius - torus.probe_radius
-    return 1.2 * radius * float(largest_deviation(2, side / radius))
-
-
-def named(value: object) -> str | None:
-    """In the names of the tests."""
-    if not isinstance(value, TorusObject):
-        return None
-    return f"R{value.section_radius:g}_Rf{value.fillet_radius:g}_Rp{value.probe_radius:g}"
-
-
-@cache
-def scanned(
-    torus: TorusObject,
-    lines: float = 10.0,
-    side: float = SIDE,
-    points: int = POINTS,
-    edge_pitch: float = 1.0,
-    tolerance: float | None = None,
-    turn: float | None = None,
-    **values: object,
-) -> ScannedEdge:
-    """A square scan with quadratics over some lines (or a turn, rad) by exact contacts."""
-    amplitude = 2.0 * side + torus.rounding_length
-    turn = lines * edge_pitch / torus.edge_radius if turn is None else turn
-    return scan_edge(
-        AnalyticCmm(torus),
-        at=Start(*torus.start(amplitude, azimuth=BEGIN)),
-        gate=Gate(*torus.gate(amplitude, azimuth=BEGIN + turn)),
-        parameters=ScanParameters(
-            amplitude=amplitude,
-            line_pitch=side / points,
-            edge_pitch=edge_pitch,
-            tolerance=tolerance or tolerance_for(torus, side),
-            **{"pattern": "square", "degree": 2, **values},
-        ),
-        method="probe",
-    )
-
-
-def off_the_circle(torus: TorusObject, points: np.ndarray) -> np.ndarray:
-    """Towards the outside and upwards from the edge's circle, (m, 2) mm."""
-    x, y, z = points.T
-    return np.column_stack([np.hypot(x, y) - torus.edge_radius, z + torus.section_radius])
-
-
-def azimuths(points: np.ndarray) -> np.ndarray:
-    return np.arctan2(points[:, 1], points[:, 0])
-
-
-def steps(points: np.ndarray) -> np.ndarray:
-    return np.linalg.norm(np.diff(points, axis=0), axis=1)
-
-
-def errors(torus: TorusObject, **values: object) -> np.ndarray:
-    """Distances of the inner edge points from the true edge, mm.
-
-    The first and the last one have one neighbour only, and are always compensated as curves.
-    """
-    edge = scanned(torus, **values)
-    assert edge.stops == (Stop.START, Stop.GATE)
-    return np.hypot(*off_the_circle(torus, edge.points[1:-1]).T)
-
-
-def bias(torus: TorusObject, side: float = SIDE) -> float:
-    """What quadratics of arcs are off, mm."""
-    shape = torus.section_radius, torus.angle, torus.fillet_radius, torus.probe_radius
-    return float(model_error(2, side, *shape))
-
-
-def sagitta_of(torus: TorusObject, edge_pitch: float) -> float:
-    """Of the chord from the line before to the line after, mm; κe ρe² / 2 without a probe.
-
-    The edge pitch is that of the walk, along the circle where the probe's centres would meet:
-    r = R - R_p from the centres of both sides.
-    """
-    centres = np.array([[f.major_radius, f.centre_height] for f in torus.faces(1.0)[:2]])
-    across = 0.5 * (centres[1] - centres[0])
-    upright = np.array([across[1], -across[0]]) / np.hypot(*across)
-    radius = torus.section_radius - torus.probe_radius
-    height = np.sqrt(radius**2 - across @ across)
-    meetings = centres.mean(axis=0) + np.outer([height, -height], upright)
-    gaps = np.hypot(*(meetings - [torus.edge_radius, -torus.section_radius]).T)
-    walked_radius = meetings[gaps.argmin(), 0]
-    return float(torus.edge_radius * (1.0 - np.cos(edge_pitch / walked_radius)))
-
 
 # ---------------------------------------------------------------- the chord of a bend
 
@@ -357,71 +259,3 @@ def test_no_line_over_a_rounding_is_taken_for_one_over_a_sharp_edge(degree):
     torus = TorusObject(20.0, 100.0, ANGLE, 0.5, 0.5)
     edge = scanned(torus, lines=20.0, side=6.0, points=8, degree=degree, tolerance=20.0)
     assert not any(line.sharpness.known for line in edge.scan_lines.lines)
-
-
-# ---------------------------------------------------------------- steps in a bend
-
-
-def chord_heights(points: np.ndarray) -> np.ndarray:
-    """Distance of each inner point from the line through its neighbours (Schreve 4.4.4.1), mm."""
-    chord = points[2:] - points[:-2]
-    twice = np.linalg.norm(np.cross(points[1:-1] - points[:-2], chord), axis=1)
-    return twice / np.linalg.norm(chord, axis=1)
-
-
-@pytest.mark.parametrize("steering", ["tangent", "curvature"])
-@pytest.mark.parametrize("height", [0.01, 0.05])
-def test_the_chord_between_two_edge_points_has_the_height_asked_for(height, steering):
-    """Steps √(8xh) = 2.8 and 6.3 mm hold it exactly; both lie between the limits of the pitch."""
-    torus = TorusObject(50.0, 100.0, ANGLE)
-    turn = 22.0 * np.sqrt(8.0 * height / torus.edge_radius)
-    edge = scanned(
-        torus, turn=turn, edge_pitch=4.0, side=5.0, chord_height=height, steering=steering
-    )
-    assert edge.stops[1] is Stop.GATE
-    over_two_steps = chord_heights(edge.points)[9:-1]  # the pitch has settled
-    assert len(over_two_steps) >= 8
-    assert over_two_steps / 4.0 == pytest.approx(height, rel=0.06)
-
-
-def test_the_edge_pitch_grows_to_three_times_its_start_and_no_further():
-    """A height of 0.5 mm would be held by steps of 20 mm."""
-    torus = TorusObject(50.0, 100.0, ANGLE)
-    edge = scanned(torus, turn=0.9, edge_pitch=2.0, side=5.0, chord_height=0.5)
-    assert edge.stops[1] is Stop.GATE
-    assert steps(edge.points)[3:] == pytest.approx(6.0, rel=0.02)
-    assert chord_heights(edge.points)[4:] == pytest.approx(6.0**2 / 200.0, rel=0.05)
-
-
-@pytest.mark.parametrize("pattern", ["square", "zigzag"])
-@pytest.mark.parametrize("radius", [15.0, 40.0])
-def test_steering_by_curvature_follows_a_bend_to_its_gate(radius, pattern):
-    """Each line is laid on the circle of the last points: steps are chords of the edge pitch."""
-    torus = TorusObject(50.0, radius, ANGLE)
-    turn = min(np.pi - 0.2, 40.0 / radius)
-    edge = scanned(
-        torus,
-        turn=turn,
-        edge_pitch=2.0,
-        side=4.0,
-        tolerance=0.02,
-        steering="curvature",
-        pattern=pattern,
-    )
-    assert edge.stops[1] is Stop.GATE
-    sagitta = 2.0**2 / (2.0 * radius)
-    assert np.hypot(*off_the_circle(torus, edge.points).T).max() < 0.05 * sagitta
-    chord = 2.0 * radius * np.sin(1.0 / radius)
-    allowed = 0.01 if pattern == "square" else 0.04
-    assert steps(edge.points)[4:] == pytest.approx(chord, rel=allowed)
-    assert azimuths(edge.points)[-1] >= BEGIN + turn
-
-
-def test_steering_by_curvature_reaches_a_gate_in_steps_of_a_fifth_of_the_radius():
-    """A tangent, which lags behind, would lead half a step and more aside there."""
-    torus = TorusObject(20.0, 10.0, ANGLE)
-    edge = scanned(
-        torus, turn=np.pi - 0.2, edge_pitch=2.0, side=4.0, tolerance=0.03, steering="curvature"
-    )
-    assert edge.stops[1] is Stop.GATE
-    assert np.hypot(*off_the_circle(torus, edge.points).T).max() < 0.05 * 2.0**2 / 20.0
