@@ -33,10 +33,11 @@ def measure(options: argparse.Namespace) -> int:
         if given and options.parts:
             raise ValueError(f"--{word} belongs to the simple parts; leave --parts out.")
     if not options.parts:
-        _, code = _simple_parts(options)
-        if code:
-            return code
-        print()
+        for measured in (_simple_parts, _rims_and_bends):
+            _, code = measured(options)
+            if code:
+                return code
+            print()
     return _parts(options, _shapes(options) or [_block()])[1]
 
 
@@ -74,6 +75,16 @@ def _simple_parts(options: argparse.Namespace) -> tuple[list[Any], int]:
     if rows:
         print(simple_table(rows))
     return rows, exit_code(progress, bool(rows))
+
+
+def _rims_and_bends(options: argparse.Namespace) -> tuple[list[Any], int]:
+    from freecad_edgescan.experiments.rims_and_bends import exact_edge_table, measure_exact_edges
+
+    with TerminalProgress("rims and bends") as progress:
+        edges = measure_exact_edges(progress=progress)
+    if edges:
+        print(exact_edge_table(edges))
+    return edges, exit_code(progress, bool(edges))
 
 
 def _reach_peers() -> None:
@@ -193,13 +204,16 @@ def _report(options: argparse.Namespace) -> int:
     simple, code = _simple_parts(options)
     if not code:
         print()
+        exact, code = _rims_and_bends(options)
+    if not code:
+        print()
         parts, code = _parts(options, shapes)
     if not code:
         experiments, code = _experiments(options)
     if code:
         tell(f"{options.report} is written only when nothing is missing, and was left alone.")
         return code
-    written = write_page(_measured(options, simple, parts, experiments), options.report)
+    written = write_page(_measured(options, simple, exact, parts, experiments), options.report)
     print(f"\nWrote {written[0]} and {len(written) - 1} pictures into {written[1].parent}")
     return 0
 
@@ -216,7 +230,11 @@ def _experiments(options: argparse.Namespace) -> tuple[Any, int]:
 
 
 def _measured(
-    options: argparse.Namespace, simple: list[Any], parts: list[Any], experiments: Any
+    options: argparse.Namespace,
+    simple: list[Any],
+    exact: list[Any],
+    parts: list[Any],
+    experiments: Any,
 ) -> Any:
     """The results, each with the command line that prints it."""
     from freecad_edgescan.document.accuracy_page import Accuracy
@@ -235,6 +253,7 @@ def _measured(
     return Accuracy(
         call=_call("accuracy", *simple_words, *given, *cloud, "--report", name),
         simple=simple,
+        exact=exact,
         simple_call=_call("accuracy", *simple_words),
         parts=[
             (report, _call("accuracy", *words, *cloud))

@@ -13,7 +13,7 @@ __all__ = ["ACCURACY_TEXT", "add_accuracy_options"]
 ACCURACY_TEXT = """Simulates a scan of each part, clicks every sharp edge at its middle, and
 compares what is found with the part's own edges. Without --parts also two planes, the same
 under a fillet, and a cylinder's rim (pitch 0.5, noise 0.02, edge points 0.75 mm apart), with
-and without 5 % outliers.
+and without 5 % outliers, and the rims of a core box, sharp and rounded, and tight bends.
   length   of the true edge           room    smallest distance to another edge
   traced   share of it found within one pitch
   rms max  distance of the edge points from it
@@ -54,8 +54,8 @@ def add_accuracy_options(accuracy: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     accuracy.add_argument(
         "--report", type=Path, metavar="FILE.md",
-        help="write all about accuracy as a page with pictures: simple parts, the block, --parts, "
-        "and the published experiments (doe --method patch), in about four minutes",
+        help="write all about accuracy as a page with pictures: simple parts, rims, bends, the "
+        "block, --parts, and the published experiments (doe --method patch), in about seven minutes",
     )  # fmt: skip
     accuracy.add_argument(
         "--wedges", type=whole_number, metavar="N",

@@ -13,12 +13,14 @@ from ..experiments.doe_comparison import compare_experiment
 from ..experiments.doe_result import DoeResult, DoeRun
 from ..experiments.edge_report import WANDERING, root_mean_square
 from ..experiments.honesty import median_and_95
+from ..experiments.rims_and_bends import BEND, BOX, RIM_RADIUS, ROUNDED_BOX, ExactEdge
 from .accuracy_table import SimpleAccuracy
 from .part_report import TRACED, PartReport
 
 __all__ = [
     "RATIOS",
     "Wanted",
+    "of_exact_edges",
     "of_experiments",
     "of_part",
     "of_simple_parts",
@@ -28,6 +30,8 @@ __all__ = [
 
 _RMS = {"two planes": 0.006, "two planes, fillet 2 mm": 0.012, "cylinder rim": 0.008}  # mm
 _WORSE = 1.5  # times as much among outliers
+_RIMS = {BOX: (0.015, 0.06), ROUNDED_BOX: (0.025, 0.1)}  # mm, average and maximum
+_RADIUS = 0.15  # share of the rounding's radius
 _FOUND, _OF = 13, 14  # edges of a part
 _PART_RMS = 0.15  # mm, of one edge
 _BOUND_SINGLE, _BOUND_FINAL = (1.1, 1.6), 0.8  # median and 95 % of the runs; median
@@ -62,6 +66,32 @@ def of_simple_parts(rows: Sequence[SimpleAccuracy]) -> list[Wanted]:
             _at_most(f"{row.name}: rms error with outliers over without", _WORSE, among / rms),
         ]
     return wanted
+
+
+def of_exact_edges(edges: Sequence[ExactEdge]) -> list[Wanted]:
+    """The worst rim of each core box, and that bends are found without a bias."""
+    wanted = []
+    for kind, (average, maximum) in _RIMS.items():
+        rims = [each for each in edges if each.kind == kind]
+        means, most = _worst(each.average for each in rims), _worst(each.maximum for each in rims)
+        wanted += [
+            _at_most(f"{kind}: average error, worst rim", average, means, " mm"),
+            _at_most(f"{kind}: maximum error, worst rim", maximum, most, " mm"),
+        ]
+    apart = _worst(
+        abs(each.radius / RIM_RADIUS - 1.0) for each in edges if each.kind == ROUNDED_BOX
+    )
+    biased = _worst(each.bias / each.sigma for each in edges if each.kind == BEND)
+    return [
+        *wanted,
+        _at_most(f"{ROUNDED_BOX}: share by which the radius is off, worst rim", _RADIUS, apart),
+        _at_most("bends: bias over the stated sigma, worst bend", 1.0, biased),
+    ]
+
+
+def _worst(values: Iterable[float]) -> float:
+    """The largest, nan where any is nan."""
+    return float(np.max(list(values)))
 
 
 def of_part(report: PartReport) -> list[Wanted]:

@@ -28,6 +28,13 @@ from freecad_edgescan.document.part_report import PartReport, report_part  # noq
 from freecad_edgescan.experiments.doe_published import published_counterparts  # noqa: E402
 from freecad_edgescan.experiments.doe_result import PATCH, DoeResult  # noqa: E402
 from freecad_edgescan.experiments.doe_tables import experiments_table  # noqa: E402
+from freecad_edgescan.experiments.rims_and_bends import (  # noqa: E402
+    BEND,
+    BOX,
+    ROUNDED_BOX,
+    ExactEdge,
+    exact_edge_table,
+)
 
 
 @pytest.fixture(scope="module")
@@ -74,11 +81,24 @@ def simple(report: PartReport, among_outliers: float = 0.006) -> SimpleAccuracy:
     )
 
 
+def exact(error: float = 0.01, radius: float = 0.82, bias: float = 0.002) -> list[ExactEdge]:
+    """Two rims of each box, of which the first is exact, and a bend."""
+    errors, sigmas = np.array([0.5, 1.5]), np.array([0.004, 0.004])
+    return [
+        ExactEdge(BOX, "rim 1", 0.0 * errors, sigmas, np.nan, np.nan),
+        ExactEdge(BOX, "rim 2", error * errors, sigmas, np.nan, np.nan),
+        ExactEdge(ROUNDED_BOX, "rim 1", 0.0 * errors, sigmas, np.nan, 0.8),
+        ExactEdge(ROUNDED_BOX, "rim 2", 2.0 * error * errors, sigmas, np.nan, radius),
+        ExactEdge(BEND, "90°", 0.005 * errors, sigmas, bias, np.nan),
+    ]
+
+
 @pytest.fixture
 def measured(report, experiments) -> Accuracy:
     return Accuracy(
         "./edgescan accuracy --report page.md",
         [simple(report)],
+        exact(),
         "./edgescan accuracy",
         [(report, "./edgescan accuracy --parts block.step")],
         experiments,
@@ -99,6 +119,7 @@ def test_the_page_holds_what_the_results_say_below_the_commands(measured, tmp_pa
     ((report, call),) = measured.parts
     for command, table in (
         (measured.simple_call, simple_table(measured.simple)),
+        (measured.simple_call, exact_edge_table(measured.exact)),
         (call, report.text()),
         (measured.experiments_call, experiments_table(measured.experiments)),
     ):
@@ -107,6 +128,14 @@ def test_the_page_holds_what_the_results_say_below_the_commands(measured, tmp_pa
         ["at most 0.006 mm", "0.0050 mm", "yes"],
         ["at most 1.5", "1.200", "yes"],
     ]
+    assert rows_of(text, "core box") == [
+        ["at most 0.015 mm", "0.0100 mm", "yes"],
+        ["at most 0.06 mm", "0.0150 mm", "yes"],
+        ["at most 0.025 mm", "0.0200 mm", "yes"],
+        ["at most 0.1 mm", "0.0300 mm", "yes"],
+        ["at most 0.15", "0.025", "yes"],
+    ]
+    assert rows_of(text, "bends: bias") == [["at most 1", "0.500", "yes"]]
     assert rows_of(text, "average error") == [["at most 0.18", "0.100", "yes"]]
     assert rows_of(text, "maximum error") == [["at most 0.3", "0.200", "yes"]]
     assert rows_of(text, "scans completed") == [["192 of 192", "192", "yes"]]
@@ -148,6 +177,16 @@ def test_what_is_not_reached_is_said_first_and_in_its_table(measured, report, tm
     assert "block: edge points farther than 3 pitches from every true edge: 2, wanted 0." in top
     assert "scans completed: 191, wanted 192 of 192." in top
     assert rest.count("| **no** |") == 4
+
+
+def test_rims_and_bends_that_are_off_are_not_reached(measured, tmp_path) -> None:
+    """A rounding whose radius is not stated is not found."""
+    page = tmp_path / "page.md"
+    write_page(replace(measured, exact=exact(0.07, np.nan, 0.005)), page)
+    text = page.read_text(encoding="utf-8")
+    assert [row[2] for row in rows_of(text, "core box")] == ["**no**"] * 5
+    assert rows_of(text, "core box rounded: share") == [["at most 0.15", "nan", "**no**"]]
+    assert rows_of(text, "bends: bias") == [["at most 1", "1.250", "**no**"]]
 
 
 def test_sigmas_of_one_experiment_that_are_not_true_are_not_reached(measured, tmp_path) -> None:
@@ -196,6 +235,10 @@ def quick(monkeypatch, tmp_path, report, experiments):
     monkeypatch.setattr(
         "freecad_edgescan.document.accuracy_table.measure_simple_parts",
         lambda seeds, peers, progress: [simple(report)],
+    )
+    monkeypatch.setattr(
+        "freecad_edgescan.experiments.rims_and_bends.measure_exact_edges",
+        lambda progress: exact(),
     )
     monkeypatch.setattr(
         "freecad_edgescan.document.part_report.report_part",
