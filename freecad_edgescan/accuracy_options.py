@@ -55,7 +55,8 @@ def add_accuracy_options(accuracy: argparse.ArgumentParser) -> None:
     accuracy.add_argument(
         "--report", type=Path, metavar="FILE.md",
         help="write all about accuracy as a page with pictures: simple parts, rims, bends, the "
-        "block, --parts, and the published experiments (doe --method patch), in about seven minutes",
+        "block, --parts, and the published experiments (doe --method patch), in about seven "
+        "minutes",
     )  # fmt: skip
     accuracy.add_argument(
         "--wedges", type=whole_number, metavar="N",

@@ -102,9 +102,9 @@ The core box of the published case study, touched by a ball of 2.011 mm diameter
 with gaps of 4 mm in its steep walls and a land of 3 mm between two rims; and the same with its rims
 rounded by {RIM_RADIUS:g} mm. Each rim is scanned in one pass from one click, everything automatic.
 The bends turn on a radius of {EDGE_RADIUS:g} mm, three amplitudes, at angles of {ANGLES[0]:.0f}° to
-{ANGLES[-1]:.0f}° between sides that are nearly flat or turn by 0.7 rad within half an amplitude; pitch
-{BEND_PITCH:g} mm, noise ±{BEND_NOISE:g} mm. *Bias* is the length of the mean error as a vector, *radius* the
-median of the rounding's.
+{ANGLES[-1]:.0f}° between sides that are nearly flat or turn by 0.7 rad within half an amplitude;
+pitch {BEND_PITCH:g} mm, noise ±{BEND_NOISE:g} mm. *Bias* is the length of the mean error as a
+vector, *radius* the median of the rounding's.
 
 {{wanted}}
 
