@@ -40,8 +40,9 @@ _MAY_BE_CORNERS = (Stop.CORNER, Stop.CLOUD_END)
 _DRAWN_OUT = 16.0  # pitches of edge that are drawn out to a vertex
 _FEWEST, _MOST = 4, 40  # edge points for that
 _STRAIGHT_ON = np.cos(0.4)  # of a turn between two stations that a corner may be to blame for
+_FULL_STEP = 0.5  # of the longest step of a walk
 _DOUBTFUL = 2.5  # times the median sigma of a walk
-_SHORT = 0.5  # pitches before a vertex, to which the sections are laid
+_SHORT, _NEAR = 0.5, 0.75  # pitches before a vertex, between which a walk ends
 
 
 def walked_to_vertices(cloud: PointCloud, trace: Trace, settings: PatchSettings) -> Trace:
@@ -50,7 +51,7 @@ def walked_to_vertices(cloud: PointCloud, trace: Trace, settings: PatchSettings)
     for k, stop in enumerate(trace.stops):
         if _may_have_a_vertex(stop, settings) and len(stations) >= _FEWEST:
             outward = stations if k else [turned(station) for station in reversed(stations)]
-            outward = led_to_vertex(cloud, outward, settings) or outward
+            outward = led_to_vertex(cloud, _steadied(outward), settings) or outward
             stations = outward if k else [turned(station) for station in reversed(outward)]
     return replace(trace, stations=stations)
 
@@ -90,15 +91,16 @@ def led_to_vertex(
         float((vertex.point - station.frame.origin[0]) @ station.frame.tangent[0])
         for station in stations
     ]
-    if ahead[-1] > pitch:
-        step = ahead[-1] - _SHORT * pitch
-        # It has not been measured: its neighbours know better where the edge runs.
-        onward = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
-        return [*stations, onward]
     kept = len(stations)
-    while kept > _FEWEST and ahead[kept - 1] < 0.0:
+    while kept > _FEWEST and ahead[kept - 1] < _SHORT * pitch:
         kept -= 1
-    return stations[:kept]
+    stations, last = stations[:kept], stations[kept - 1]
+    if ahead[kept - 1] <= _NEAR * pitch:
+        return stations
+    step = ahead[kept - 1] - _SHORT * pitch
+    # It has not been measured: its neighbours know better where the edge runs.
+    onward = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
+    return [*stations, onward]
 
 
 def without_doubtful_end(stations: list[Station]) -> list[Station]:
@@ -113,6 +115,20 @@ def without_doubtful_end(stations: list[Station]) -> list[Station]:
     while kept > _FEWEST and doubtful(stations[kept - 1], stations[kept - 2]):
         kept -= 1
     return stations[:kept]
+
+
+def _steadied(stations: list[Station]) -> list[Station]:
+    """The same stations; those of short steps at their end bend as the last one before them.
+
+    What noise and a corner turn an edge by in a short step looks like a tight bend.
+    """
+    steps = np.array([station.step for station in stations])
+    # Stations without a step were not walked to.
+    full = ~(steps < _FULL_STEP * np.nanmax(steps, initial=0.0))
+    known = int(np.flatnonzero(full)[-1])
+    bend = stations[known].frame.bend
+    ended = [replace(each, frame=replace(each.frame, bend=bend)) for each in stations[known + 1 :]]
+    return [*stations[: known + 1], *ended]
 
 
 def _gap(one: Station, other: Station) -> float:

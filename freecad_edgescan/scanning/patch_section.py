@@ -28,7 +28,7 @@ _MEASUREMENTS = 3
 _MOST_BENT = 0.4  # rad, turn of the edge within half a slab
 _ARC = np.tan(_MOST_BENT) / _MOST_BENT
 _MOST_SCATTER = 5.0  # times the noise, of the better side, at which it is no side any more
-_ENDING = 6.0  # pitches round the last edge point in which to see why a walk ended
+_ENDING = 6.0  # pitches round the last edge point, and of sides, to see why a walk ended
 _HANGING = 3.0  # pitches: what an edge point may be off the nearest point besides a rounding
 _FOREIGN = 6  # points there that make a surface
 _WIDER = (2.0, 4.0)  # of the slab, where it holds too few points
@@ -262,10 +262,12 @@ class PatchSection:
         if stop is Stop.SMOOTH:
             return stop
         frame, pitch = last.frame, self.settings.cloud_pitch
-        ball = self.cloud.tree.query_ball_point(frame.origin[0], _ENDING * pitch)
+        begins = min(max(last.begins), 0.5 * self.settings.reach) + 0.5 * pitch
+        ball = self.cloud.tree.query_ball_point(frame.origin[0], _ENDING * pitch + begins)
         index = np.asarray(ball, dtype=np.int64)
         points = section_points(frame, np.zeros_like(index), index, self.cloud.points[index])
-        clear = points.away > min(max(last.begins), 0.5 * self.settings.reach) + 0.5 * pitch
+        points = points[np.abs(points.along) <= _ENDING * pitch]
+        clear = points.away > begins
         near = 4.0 * self.settings.noise + 0.05 * pitch + 0.1 * points.away
         expected = 0.5 * frame.curvature[0, points.side] * points.away**2
         foreign = clear & (np.abs(points.height - expected) > near)

@@ -109,7 +109,7 @@ def fit_rounded(
             raise _no_side_left(strip, found.model)
         return None
     together, borrowed = _section_by_section(even, found, fits, lasts)
-    if _worse_than_alone(even, together, fits):
+    if _worse_than_alone(even, together, fits) or _bends_sides_to_a_circle(together, fits):
         return None
     if rounded < 1.0 - _UNLIKELY:
         sharp = settled(even, seen.sharpest, expected, free=False)
@@ -191,6 +191,20 @@ def _worse_than_alone(strip: RoundedStrip, together: RoundedFits, alone: SideFit
         for part in (gained, np.ones(len(gained)))
     )
     return bool(np.mean(total > _WORSE * np.maximum(count, 1.0)) > _SOME)
+
+
+def _bends_sides_to_a_circle(together: RoundedFits, alone: SideFits) -> bool:
+    """Whether the sides bend inwards for the rounding's sake, and lose more than they gain by it.
+
+    Where wear or a blend has rounded the edge otherwise than a circle does, a circle and sides that
+    are bent into it fit a short piece of the blend, and nothing of the sides farther out.
+    """
+    explained, before = together.ends, alone.ends - alone.begins
+    curvature, unforced = together.coefficients[..., 2], alone.coefficients[..., 2]
+    return bool(
+        np.median(explained, axis=0).sum() < np.median(before, axis=0).sum()
+        and np.median(curvature, axis=0).sum() < np.median(unforced, axis=0).sum()
+    )
 
 
 def _is_a_circle(strip: RoundedStrip, model: Rounded) -> bool:
