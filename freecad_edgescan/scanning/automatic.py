@@ -41,6 +41,11 @@ class Chosen:
         return self.settings.with_reach(_ROUNDED * self.settings.reach) if given else self.settings
 
     def with_seed(self, seed: Seed) -> Chosen:
+        """The same with the slab and the reach that suit the edge found."""
+        settings = replace(self.settings, spacing=seed.spacing)
+        return replace(self, settings=settings)._with_reach_of(seed)
+
+    def _with_reach_of(self, seed: Seed) -> Chosen:
         """The same with the reach that suits the edge found.
 
         A given amplitude is measured along the surface, round the rounding; the reach straight

@@ -31,6 +31,7 @@ _MOST_SCATTER = 5.0  # times the noise, of the better side, at which it is no si
 _ENDING = 6.0  # pitches round the last edge point, and of sides, to see why a walk ended
 _HANGING = 3.0  # pitches: what an edge point may be off the nearest point besides a rounding
 _FOREIGN = 6  # points there that make a surface
+_LOOKED = 6.0  # pitches before and behind a section in which to see how far points are apart
 _WIDER = (2.0, 4.0)  # of the slab, where it holds too few points
 
 
@@ -46,6 +47,7 @@ class PatchSettings:
     noise : standard deviation of the cloud's points along the normal
     probe_radius : radius of the probe whose centres the cloud holds
     min_angle : least turn between the two sides, rad
+    spacing : how far apart points lie along the edge on the sparser side
     """
 
     reach: float
@@ -54,11 +56,12 @@ class PatchSettings:
     noise: float
     probe_radius: float = 0.0
     min_angle: float = 0.26
+    spacing: float = 0.0
 
     @property
     def half_width(self) -> float:
-        """Half the width of a slab, along the edge."""
-        return max(0.75 * self.edge_pitch, 1.5 * self.cloud_pitch)
+        """Half the width of a slab, along the edge: it holds points of both sides."""
+        return max(0.75 * self.edge_pitch, 1.5 * self.cloud_pitch, self.spacing)
 
     @property
     def longest_step(self) -> float:
@@ -141,6 +144,22 @@ class PatchSection:
         near = near[np.argsort(index[near])]
         found = section_points(frames, owner[near], index[near], points.take(near, axis=0))
         return found[np.abs(found.along) <= half_width[found.owner]]
+
+    def spacing(self, frames: Frames) -> np.ndarray:
+        """How far apart points lie along each edge, near its section, on the sparser side, (m,) mm.
+
+        It is that side's pitch, or where a scanner's lines run across the edge, the distance from
+        one to the next. A single hole in the cloud is neither.
+        """
+        looked = np.full(len(frames), _LOOKED * self.settings.cloud_pitch)
+        points = self.slab(frames, looked)
+        points = points[self._plausible(frames, points)]
+        found = np.zeros((len(frames), 2))
+        for (k, side), _ in np.ndenumerate(found):
+            mine = points[(points.owner == k) & (points.side == side)]
+            if len(mine.index) > 1:
+                found[k, side] = _spacing(mine.along, mine.away)
+        return found.max(axis=1)
 
     def _measure_once(self, frames: Frames, half_width: np.ndarray) -> list[Station]:
         seen = self.look(frames, half_width)
@@ -297,6 +316,18 @@ def _cover(points: SectionPoints, fits: SideFits) -> np.ndarray:
     curl = fits.coefficients[..., 2] * fits.ends / fits.reach
     share = np.minimum(fits.ends / extent, 1.0) / (1.0 + curl**2)
     return np.asarray(np.where(fits.accepted, share, 0.6 * share).min(axis=1))
+
+
+def _spacing(along: np.ndarray, away: np.ndarray) -> float:
+    """How far apart along the edge the points (n,) of one side are, mm."""
+    gaps = np.sort(np.diff(np.sort(along)))
+    covered = np.cumsum(gaps)
+    # Between lines most of the length is in gaps of their spacing, however many points they have.
+    line_spacing = gaps[np.searchsorted(covered, 0.5 * covered[-1])]
+    # Half of the points tell the width: foreign ones may lie far beyond a side's end.
+    width = 2.0 * np.subtract(*np.quantile(away, (0.75, 0.25)))
+    pitch = np.sqrt((covered[-1] - gaps[-1]) * width / len(along))
+    return float(max(line_spacing, pitch))
 
 
 def _counts(points: SectionPoints, sections: int) -> np.ndarray:

@@ -30,10 +30,18 @@ _GROWTH = 1.7  # of the reach, from one measurement to the next
 
 @dataclass(frozen=True)
 class Seed:
-    """The first station of an edge, and the reach (mm) that knows it best."""
+    """The first station of an edge.
+
+    Attributes
+    ----------
+    station : it
+    reach : the one that knows it best, mm
+    spacing : of the points along the edge, mm; see `PatchSettings`
+    """
 
     station: Station
     reach: float
+    spacing: float
 
 
 def find_seed(
@@ -138,7 +146,7 @@ def _confirmed(
             return None
         if float(found.tangent[0] @ along) < 0:
             station = replace(station, frame=found.backward())
-    return Seed(station, seed.reach)
+    return replace(seed, station=station)
 
 
 def _measured_growing(
@@ -158,11 +166,12 @@ def _measured_growing(
         reach = min(reach, settings.reach)
         section = PatchSection(cloud, settings.with_reach(reach))
         together = Frames.join(list(frames.values()))
-        measured = section.settle(together, np.full(len(frames), settings.half_width))
-        for k, station in zip(list(frames), measured, strict=True):
+        spacing = section.spacing(together)
+        measured = section.settle(together, np.maximum(settings.half_width, spacing))
+        for k, station, apart in zip(list(frames), measured, spacing, strict=True):
             if station.stop is None:
                 if k not in best or station.sigma < 1.1 * best[k].station.sigma:
-                    best[k] = Seed(station, reach)
+                    best[k] = Seed(station, reach, float(apart))
                 frames[k] = station.frame
             elif k not in best and not patient:
                 del frames[k]
@@ -184,7 +193,8 @@ def _doubt(station: Station, at: np.ndarray, settings: PatchSettings) -> float:
 
 def _goes_on(cloud: PointCloud, seed: Seed, settings: PatchSettings) -> bool:
     """Whether the edge can be followed for a step, one way or the other."""
-    section = PatchSection(cloud, settings.with_reach(seed.reach))
+    settings = replace(settings, reach=seed.reach, spacing=seed.spacing)
+    section = PatchSection(cloud, settings)
     frame, pitch = seed.station.frame, settings.edge_pitch
     both_ways = predict(Frames.join([frame, frame.backward()]), pitch)
     ahead = section.settle(both_ways, np.full(2, settings.half_width))

@@ -9,7 +9,8 @@ from ..cloud.point_cloud import PointCloud
 
 __all__ = ["normals_of", "shared_planes"]
 
-_NEIGHBOURS = 16
+_NEIGHBOURS, _MOST_NEIGHBOURS = 16, 128
+_NARROW = 0.25  # width of a neighbourhood by its length, below which it is a piece of a line
 _SAME_DIRECTION = np.radians(14.0)  # at most; less where flatter edges are wanted
 
 
@@ -41,11 +42,24 @@ def shared_planes(
 
 
 def normals_of(cloud: PointCloud, points: np.ndarray) -> np.ndarray:
-    """Normals of the least-squares planes through each point's neighbours, (n, 3), any sign."""
-    _, neighbours = cloud.tree.query(points, k=min(_NEIGHBOURS, len(cloud)))
-    spread = cloud.points[neighbours]
-    spread = spread - spread.mean(axis=1, keepdims=True)
-    return np.linalg.eigh(np.einsum("nki,nkj->nij", spread, spread))[1][:, :, 0]
+    """Normals of the least-squares planes through each point's neighbours, (n, 3), any sign.
+
+    Of a scanner's lines, the nearest neighbours may all lie on one, and through a line there are
+    planes of all directions. Neighbourhoods grow until they hold points of several.
+    """
+    normals = np.empty((len(points), 3))
+    narrow, neighbours = np.arange(len(points)), _NEIGHBOURS
+    while len(narrow):
+        _, nearest = cloud.tree.query(points[narrow], k=min(neighbours, len(cloud)))
+        spread = cloud.points[nearest]
+        spread = spread - spread.mean(axis=1, keepdims=True)
+        moments, axes = np.linalg.eigh(np.einsum("nki,nkj->nij", spread, spread))
+        normals[narrow] = axes[:, :, 0]
+        if neighbours >= min(_MOST_NEIGHBOURS, len(cloud)):
+            break
+        narrow = narrow[moments[:, 1] < _NARROW**2 * moments[:, 2]]
+        neighbours *= 2
+    return normals
 
 
 def _weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
