@@ -27,6 +27,7 @@ def cloud_of(options: argparse.Namespace) -> PointCloud:
     KeyboardInterrupt: Ctrl-C was pressed; half a cloud is none to go on with.
     """
     from freecad_edgescan.cloud import read_cloud
+    from freecad_edgescan.geometry.plain_number import plain
 
     with TerminalProgress("reading") as progress:
         cloud = read_cloud(
@@ -42,7 +43,7 @@ def cloud_of(options: argparse.Namespace) -> PointCloud:
     unsure = options.unit is None and options.region is None  # a box may be as small as wanted
     if unsure and 0.0 < (across := float(cloud.size.max())) < SMALLEST_PART:
         tell(
-            f"{options.file} is only {across:.3g} mm across; is the file in metres? "
+            f"{options.file} is only {plain(across, 3)} mm across; is the file in metres? "
             "If so, give --unit m (or --unit inch)."
         )
     return cloud

@@ -14,6 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud, require_surface
+from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .automatic import MIN_ANGLE
 from .errors import ScanError
 from .face_beside import side_of
@@ -82,11 +84,10 @@ def scan_boundary(
     first = scan_edge(cloud, at, None, parameters, None, min_angle, told)
     side = side_of(cloud, first, place)
     if side is None:
-        where = ", ".join(f"{value:.6g}" for value in place)
         raise ScanError(
-            f"The place inside, ({where}), is on a face that the edge near the click does not "
-            "bound; give a place on one of the two faces beside that edge, or click on an edge of "
-            "the face that the place is on."
+            f"The place inside, ({place_text(place)}), is on a face that the edge near the click "
+            "does not bound; give a place on one of the two faces beside that edge, or click on an "
+            "edge of the face that the place is on."
         )
     onward = _round_the_face(cloud, [_Bound.of(first, place, side)], scan)
     if not _closes(onward, cloud.pitch):
@@ -110,7 +111,7 @@ def _on_the_cloud(cloud: PointCloud, inside: Point) -> np.ndarray:
     distance = float(cloud.tree.query(place)[0])
     if distance > _FARTHEST * cloud.pitch:
         raise ScanError(
-            f"The place inside, {tuple(place.tolist())}, is {distance:.3g} mm away from the "
+            f"The place inside, ({place_text(place)}), is {plain(distance, 3)} mm away from the "
             "nearest point of the cloud; choose one on the face."
         )
     return place

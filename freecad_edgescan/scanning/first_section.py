@@ -9,6 +9,7 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .automatic import Chosen
 from .errors import ScanError
 from .parameters import ScanParameters
@@ -43,8 +44,8 @@ def place_to_look(cloud: PointCloud, at: Point | Start, parameters: ScanParamete
     if distance > farthest:
         low, high = cloud.bounds
         raise ScanError(
-            f"The place ({place_text(wanted)}) is {distance:.3g} mm away from the nearest point "
-            f"of the cloud, which reaches from ({place_text(low)}) to ({place_text(high)}); "
+            f"The place ({place_text(wanted)}) is {plain(distance, 3)} mm away from the nearest "
+            f"point of the cloud, which reaches from ({place_text(low)}) to ({place_text(high)}); "
             "choose a place on it."
         )
     return cloud.points[index] if isinstance(at, Start) else wanted
@@ -77,11 +78,11 @@ def first_section(cloud: PointCloud, near: np.ndarray, start: Start | None, chos
     message = f"There is no edge within reach of ({place_text(near)})"
     if other is None:
         raise ScanError(
-            f"{message}: the surface is smooth for {_LOOK_AROUND * settings.cloud_pitch:.3g} mm "
-            "round it. Click nearer to an edge."
+            f"{message}: the surface is smooth for {plain(_LOOK_AROUND * settings.cloud_pitch, 3)} "
+            "mm round it. Click nearer to an edge."
         )
     place = other.station.frame.origin[0]
     raise ScanError(
         f"{message}: the surface is smooth there. The nearest edge found is "
-        f"{np.linalg.norm(place - near):.3g} mm away, at ({place_text(place)})."
+        f"{plain(float(np.linalg.norm(place - near)), 3)} mm away, at ({place_text(place)})."
     )

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..geometry.plain_number import plain
 from .corner import across_axes, largest_sigma
 from .edge_point_table import COLUMNS, edge_point_rows
 from .parameters import ScanParameters
@@ -83,7 +84,7 @@ class ScannedEdge:
 
     def __repr__(self) -> str:
         ends = " to ".join(stop.name for stop in self.stops)
-        return f"ScannedEdge({len(self)} points, {self.length:.6g} mm, {ends})"
+        return f"ScannedEdge({len(self)} points, {plain(self.length, 6)} mm, {ends})"
 
     @cached_property
     def sigma(self) -> np.ndarray:
