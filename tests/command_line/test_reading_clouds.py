@@ -87,6 +87,17 @@ def test_a_cloud_that_looks_like_metres_is_remarked_on(capsys, tmp_path: Path) -
     assert "--unit m" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("command", ["info", "scan --at 0,0,0", "find"])
+def test_of_three_points_it_is_said_that_they_are_few_and_not_that_they_are_small(
+    capsys, tmp_path: Path, command: str
+) -> None:
+    np.savetxt(tmp_path / "three.xyz", roof()[:3] / 1000)
+    assert main([*command.split(), str(tmp_path / "three.xyz")]) == 2
+    said = capsys.readouterr().err
+    assert "holds 3 points" in said
+    assert "metres" not in said
+
+
 def test_only_a_region_of_the_cloud_is_read(capsys, roof_file: Path) -> None:
     """Its corners may be negative, and stand where they like among the words."""
     region = ["--region", "-5,-5,-50", "-1.5e0,5,50"]
