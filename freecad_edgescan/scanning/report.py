@@ -73,9 +73,12 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
     if amplitude.startswith("given; "):
         given = plain(edge.parameters.amplitude or 0.0, 3)
         sentences.append(f"The amplitude of {given} mm was {amplitude}.")
-    bridged = int((~edge.supported).sum())
-    if bridged:
-        sentences.append(f"{bridged} of {len(edge)} edge points bridge gaps in the cloud.")
+    lent = int((~edge.supported).sum())
+    if lent:
+        sentences.append(
+            f"{lent} of {len(edge)} edge points rest on their neighbours: the cloud has a gap "
+            "there, or too little of a side looks smooth."
+        )
     if edge.method == "probe":
         return " ".join(sentences)
     ignored = [name.replace("_", " ") for name in _IGNORED if edge.reasons.get(name) == "given"]
