@@ -112,5 +112,6 @@ def _check_sides_end(edge: ScannedEdge, cloud: PointCloud, chosen: Chosen) -> No
         raise ScanError(
             f"One of the surfaces near ({place_text(edge.points[len(edge) // 2])}) goes on beyond "
             "where the other one would meet it: there is no edge. The other one may lie behind a "
-            "thin wall; click nearer to the edge that you mean."
+            "thin wall: click nearer to the edge that you mean. Or a burr or a bead stands along "
+            "the edge: take its points out of the cloud, and scan again."
         )
