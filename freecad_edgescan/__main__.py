@@ -85,6 +85,7 @@ def _info(options: argparse.Namespace) -> int:
     import numpy as np
 
     from freecad_edgescan.cloud import require_surface
+    from freecad_edgescan.geometry.plain_number import plain
 
     if options.picture:
         check_output(options.picture, PICTURES, options.file)
@@ -100,12 +101,14 @@ def _info(options: argparse.Namespace) -> int:
     print(f"points   {len(cloud)}")
     print(f"dropped  {cloud.dropped} rows without three finite numbers")
     for axis, low, high in zip("xyz", lowest, highest, strict=True):
-        print(f"{axis}        {low:.6g} to {high:.6g} mm ({high - low:.6g})")
+        first, last = plain(low, 6, 2), plain(high, 6, 2)
+        print(f"{axis}        {first} to {last} mm ({plain(high - low, 6)})")
     require_surface(cloud)
     sample = cloud.points[:: max(1, len(cloud) // 500)]
     coarse, fine = np.nanmedian(cloud.local_pitch(sample), axis=0)
-    print(f"pitch    {cloud.pitch:.4g} mm ({coarse:.4g} in the one direction, {fine:.4g} across)")
-    print(f"noise    {cloud.noise:.4g} mm standard deviation along the normal")
+    pitches = f"{plain(coarse, 4)} in the one direction, {plain(fine, 4)} across"
+    print(f"pitch    {plain(cloud.pitch, 4)} mm ({pitches})")
+    print(f"noise    {plain(cloud.noise, 4)} mm standard deviation along the normal")
     if options.picture:
         print(f"Wrote {options.picture}")
     return 0

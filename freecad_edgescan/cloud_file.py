@@ -27,6 +27,7 @@ def cloud_of(options: argparse.Namespace) -> PointCloud:
     KeyboardInterrupt: Ctrl-C was pressed; half a cloud is none to go on with.
     """
     from freecad_edgescan.cloud import read_cloud
+    from freecad_edgescan.geometry.plain_number import plain
 
     with TerminalProgress("reading") as progress:
         cloud = read_cloud(
@@ -40,12 +41,23 @@ def cloud_of(options: argparse.Namespace) -> PointCloud:
     if progress.cancelled:
         raise KeyboardInterrupt
     unsure = options.unit is None and options.region is None  # a box may be as small as wanted
-    if unsure and 0.0 < (across := float(cloud.size.max())) < SMALLEST_PART:
+    small = unsure and 0.0 < (across := float(cloud.size.max())) < SMALLEST_PART
+    if small and _has_surface(cloud):  # else what it lacks is the reason, and told by whoever asks
         tell(
-            f"{options.file} is only {across:.3g} mm across; is the file in metres? "
+            f"{options.file} is only {plain(across, 3)} mm across; is the file in metres? "
             "If so, give --unit m (or --unit inch)."
         )
     return cloud
+
+
+def _has_surface(cloud: PointCloud) -> bool:
+    from freecad_edgescan.cloud import require_surface
+
+    try:
+        require_surface(cloud)
+    except ValueError:
+        return False
+    return True
 
 
 class _ShareOnly:

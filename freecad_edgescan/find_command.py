@@ -13,6 +13,7 @@ import numpy as np
 from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.cut_by_region import cut_by_region
 from freecad_edgescan.edge_table import sigma_text
+from freecad_edgescan.geometry.plain_number import plain
 from freecad_edgescan.output_files import PICTURES, check_output
 from freecad_edgescan.scanning import EdgeNetwork, Stop, find_edges
 from freecad_edgescan.scanning.edge_point_table import COLUMNS, edge_point_rows
@@ -86,7 +87,7 @@ def network_table(network: EdgeNetwork) -> str:
     if count := len(network.corners):
         lines += [
             f"{count} corner{'s' * (count != 1)}, from which the edges' own vertices differ by "
-            f"{np.median(network.corner_misclosure):.2g} mm (median)."
+            f"{plain(float(np.median(network.corner_misclosure)), 2)} mm (median)."
         ]
     return "\n".join([*lines, network.message])
 

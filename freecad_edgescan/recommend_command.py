@@ -9,6 +9,7 @@ from freecad_edgescan.cloud_file import cloud_of
 from freecad_edgescan.cut_by_region import told_of_region
 from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import ScanError, ScanParameters, recommend_parameters
+from freecad_edgescan.told_of_unit import told_of_unit
 
 __all__ = ["recommend_for_file"]
 
@@ -24,7 +25,7 @@ def recommend_for_file(options: argparse.Namespace) -> int:
     cloud = cloud_of(options)
     texts = []
     for at in options.at:
-        with told_of_region(at, options.region):
+        with told_of_region(at, options.region), told_of_unit(at, cloud, options.unit):
             texts.append(recommend_parameters(cloud, at, parameters, options.method).text())
     print("\n\n".join(texts))
     return 0

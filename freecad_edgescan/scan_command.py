@@ -23,6 +23,7 @@ from freecad_edgescan.scanning import (
     scan_edge,
 )
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
+from freecad_edgescan.told_of_unit import told_of_unit
 
 __all__ = ["scan_file"]
 
@@ -165,7 +166,11 @@ def _scan_targets(
     for number, (at, gate) in enumerate(targets, 1):
         with TerminalProgress(f"edge {number} of {len(targets)}") as progress:
             try:
-                with told_of_region(getattr(at, "point", at), options.region):
+                place = getattr(at, "point", at)
+                with (
+                    told_of_region(place, options.region),
+                    told_of_unit(place, cloud, options.unit),
+                ):
                     edges[number] = scan_edge(
                         cloud, at, gate, parameters, options.method, progress=progress
                     )
@@ -183,7 +188,7 @@ def _scan_boundary(
     """Edges round a face by their number, and the exit code."""
     with TerminalProgress("edges round the face") as progress:
         try:
-            with told_of_region(at, options.region):
+            with told_of_region(at, options.region), told_of_unit(at, cloud, options.unit):
                 found = scan_boundary(cloud, at, options.inside, parameters, progress=progress)
         except ValueError as error:
             progress.clear()

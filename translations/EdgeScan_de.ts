@@ -184,8 +184,8 @@
       <translation>Kanten, die ungenauer bekannt sind, werden weggelassen; 0: keine</translation>
     </message>
     <message>
-      <source>False where a gap in the cloud is bridged</source>
-      <translation>Falsch, wo eine Lücke der Punktwolke überbrückt ist</translation>
+      <source>False where the point rests on its neighbours: a gap, or too little of a side is smooth</source>
+      <translation>Falsch, wo der Punkt auf seinen Nachbarn beruht: eine Lücke, oder zu wenig einer Seite ist glatt</translation>
     </message>
     <message>
       <source>File the cloud was read from</source>
@@ -1617,10 +1617,6 @@ wird gesucht …</translation>
       <translation>Winkel {angle}</translation>
     </message>
     <message>
-      <source>bridges a gap in the cloud</source>
-      <translation>überbrückt eine Lücke der Punktwolke</translation>
-    </message>
-    <message>
       <source>chosen with the first click</source>
       <translation>wird mit dem ersten Klick gewählt</translation>
     </message>
@@ -1699,6 +1695,10 @@ wird gesucht …</translation>
     <message>
       <source>probe</source>
       <translation>Taster</translation>
+    </message>
+    <message>
+      <source>rests on its neighbours</source>
+      <translation>beruht auf seinen Nachbarn</translation>
     </message>
     <message>
       <source>rounding</source>

@@ -184,8 +184,8 @@
       <translation>Les arêtes connues moins précisément sont laissées de côté ; 0 : aucune</translation>
     </message>
     <message>
-      <source>False where a gap in the cloud is bridged</source>
-      <translation>Faux là où un trou du nuage est franchi</translation>
+      <source>False where the point rests on its neighbours: a gap, or too little of a side is smooth</source>
+      <translation>Faux là où le point repose sur ses voisins : un trou, ou trop peu d'un côté est lisse</translation>
     </message>
     <message>
       <source>File the cloud was read from</source>
@@ -1617,10 +1617,6 @@ l'arête …</translation>
       <translation>angle {angle}</translation>
     </message>
     <message>
-      <source>bridges a gap in the cloud</source>
-      <translation>franchit un trou du nuage</translation>
-    </message>
-    <message>
       <source>chosen with the first click</source>
       <translation>choisi au premier clic</translation>
     </message>
@@ -1699,6 +1695,10 @@ l'arête …</translation>
     <message>
       <source>probe</source>
       <translation>palpeur</translation>
+    </message>
+    <message>
+      <source>rests on its neighbours</source>
+      <translation>repose sur ses voisins</translation>
     </message>
     <message>
       <source>rounding</source>

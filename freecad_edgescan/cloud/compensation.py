@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from ..geometry.plain_number import plain
 from .air_side import air_signs
 from .local_normals import AT_ONCE, cloud_quadrics, normals_held, scatter_of
 from .local_quadrics import LocalQuadrics
@@ -80,8 +81,8 @@ def compensate_cloud(cloud: PointCloud, progress: Progress | None = None) -> Par
     if not kept.any():
         raise ValueError(
             f"No point of the cloud is left when it is compensated for a ball of {radius:g} mm "
-            f"radius: the cloud (pitch {pitch:.3g} mm) is nowhere smooth enough. Check the probe "
-            "radius, or scan more densely."
+            f"radius: the cloud (pitch {plain(pitch, 3)} mm) is nowhere smooth enough. Check the "
+            "probe radius, or scan more densely."
         )
     others = "are of the probe rolling over a rim, or off the surface"
     if cancelled:

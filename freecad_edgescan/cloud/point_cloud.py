@@ -16,6 +16,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import cKDTree
 
+from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from . import statistics
 
 __all__ = ["FEWEST_POINTS", "PointCloud", "require_surface"]
@@ -191,21 +193,20 @@ def require_surface(cloud: PointCloud) -> None:
     extents = cloud.principal_extents
     blur = 1e-6 * extents[0] + 16 * np.finfo(float).eps * float(np.abs(cloud.bounds).max())
     if extents[0] <= blur:
-        x, y, z = cloud.points[0]
         raise ValueError(
-            f"All {len(cloud)} points of the cloud are equal ({x:g}, {y:g}, {z:g}). "
+            f"All {len(cloud)} points of the cloud are equal ({place_text(cloud.points[0])}). "
             "Check how the file was written."
         )
     if extents[1] <= blur:
         raise ValueError(
-            f"All {len(cloud)} points of the cloud lie on one line, {extents[0]:.4g} mm long. "
-            "An edge needs a scan of the two surfaces that meet in it."
+            f"All {len(cloud)} points of the cloud lie on one line, {plain(extents[0], 4)} mm "
+            "long. An edge needs a scan of the two surfaces that meet in it."
         )
     if extents[2] <= blur:
         raise ValueError(
             f"All {len(cloud)} points of the cloud lie on one plane "
-            f"({extents[0]:.4g} x {extents[1]:.4g} mm), which has no edge between two surfaces. "
-            "Scan the second surface too, or take a larger region."
+            f"({plain(extents[0], 4)} x {plain(extents[1], 4)} mm), which has no edge between two "
+            "surfaces. Scan the second surface too, or take a larger region."
         )
 
 

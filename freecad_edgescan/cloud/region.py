@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..geometry.plain_number import plain
 from .point_cloud import PointCloud
 
 __all__ = ["Reach", "Region", "cropped"]
@@ -102,4 +103,4 @@ def cropped(cloud: PointCloud, region: ArrayLike) -> PointCloud:
 
 
 def _text(corner: Array) -> str:
-    return ", ".join(f"{value:.6g}" for value in corner)
+    return ", ".join(plain(value, 6) for value in corner)

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import Part
 
+from ..geometry.plain_number import plain
 from .computed_object import MESSAGE, ComputedProxy, Task, result
 from .declared_properties import Declared
 from .native_curve import curve_of, vector
@@ -94,7 +95,7 @@ class EdgeWireProxy(ComputedProxy):
         obj.Shape = result
         obj.EdgeCount, obj.Length, obj.Closed = len(result.Edges), result.Length, result.isClosed()
         count = len(result.Edges)
-        obj.Message = f"{count} edge{'s' * (count != 1)} of {result.Length:.4g} mm in all."
+        obj.Message = f"{count} edge{'s' * (count != 1)} of {plain(result.Length, 4)} mm in all."
 
 
 def _edges(obj: Any) -> list[Any]:

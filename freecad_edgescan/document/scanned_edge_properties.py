@@ -176,7 +176,11 @@ _RESULTS = (
     ),
     _list("FloatList", "FilletRadii", "Radius of the rounding at the edge points, mm, or nan"),
     _list("FloatList", "FilletSigmas", "Standard deviation of the radii, mm, or nan"),
-    _list("BoolList", "Supported", "False where a gap in the cloud is bridged"),
+    _list(
+        "BoolList",
+        "Supported",
+        "False where the point rests on its neighbours: a gap, or too little of a side is smooth",
+    ),
     _list("StringList", "Compensated", "How the probe radius was taken off each edge point"),
     Declared(
         "Vector",

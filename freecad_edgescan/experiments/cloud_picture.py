@@ -16,6 +16,8 @@ from .relief import relief
 __all__ = ["draw_cloud"]
 
 _LONGEST = 11.0  # inches, of the two widths or heights together
+# Inches, for what is written beside both views, and above and beneath both of them.
+_BESIDE, _BENEATH, _APART = 1.6, 2.2, 0.12
 _THINNEST = 0.15  # share of the longest extent that the picture of a thin one gets
 
 # Where, and from which direction; the axes to the right and upwards are the part's own there.
@@ -44,7 +46,8 @@ def draw_cloud(cloud: PointCloud, path: str | Path) -> None:
     """
     x, y, z = np.maximum(cloud.size, _THINNEST * cloud.size.max())
     scale = _LONGEST / max(x + y, y + z)
-    figure = new_figure(path, scale * (x + y) + 1.6, scale * (y + z) + 1.6)
+    figure = new_figure(path, scale * (x + y) + _BESIDE, scale * (y + z) + _BENEATH)
+    figure.get_layout_engine().set(h_pad=_APART)
     grid = figure.add_gridspec(2, 2, width_ratios=(x, y), height_ratios=(y, z))
     for place, direction, right, up, title in _VIEWS:
         axes = figure.add_subplot(grid[place])

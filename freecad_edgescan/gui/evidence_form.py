@@ -112,5 +112,5 @@ def _numbers_of(edge: ScannedEdge, number: int) -> str:
         )
     parts = [sigma, angle, rounding]
     if not edge.supported[number]:
-        parts.append(translate("bridges a gap in the cloud"))
+        parts.append(translate("rests on its neighbours"))
     return " · ".join(parts)

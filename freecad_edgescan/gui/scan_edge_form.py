@@ -9,6 +9,7 @@ import numpy as np
 
 from freecad_edgescan.scanning import ScannedEdge
 
+from ..geometry.plain_number import plain
 from .evidence_form import EvidenceForm
 from .parameter_form import ParameterForm
 from .picked_places import Way
@@ -144,7 +145,7 @@ def _scrolling(widget: Any) -> Any:
 
 def _message(edge: ScannedEdge) -> str:
     """What happened, with the edge's length in the user's unit; the scan itself speaks of mm."""
-    return edge.message.replace(f" {edge.length:.4g} mm", f" {length_text(edge.length)}", 1)
+    return edge.message.replace(f" {plain(edge.length, 4)} mm", f" {length_text(edge.length)}", 1)
 
 
 def _figures(edge: ScannedEdge) -> str:

@@ -16,6 +16,7 @@ import numpy as np
 from scipy.ndimage import convolve1d
 
 from .normal_equations import PRIOR_SIGMA
+from .positive_definite import inverses
 from .rounded_rows import CURVATURES_AND_RADIUS, equations
 from .side_fit import MOST_CURVED
 
@@ -91,7 +92,7 @@ def curvatures_of_each(
     information, said = _of_shape(summed, radius)
     loose = np.append(PRIOR_SIGMA[[2, 2]], 1.0)
     there = np.concatenate([coefficients[..., 2], radius[:, None]], axis=1)
-    covariance = np.linalg.inv(information + np.diag(1.0 / loose**2))
+    covariance = inverses(information + np.diag(1.0 / loose**2))
     mean = np.einsum("mij,mj->mi", covariance, said + there / loose**2)
     return mean[:, :2], covariance[:, [0, 1], [0, 1]]
 
@@ -139,7 +140,7 @@ def _of_shape(summed: np.ndarray, radius: np.ndarray) -> tuple[np.ndarray, np.nd
         1.0 / np.tile(np.delete(PRIOR_SIGMA, 2), 2) ** 2
     )
     between = normal[:, CURVATURES_AND_RADIUS][:, :, _REST]
-    through = between @ np.linalg.inv(open_)
+    through = between @ inverses(open_)
     information = normal[:, CURVATURES_AND_RADIUS][:, :, CURVATURES_AND_RADIUS]
     information = information - through @ np.swapaxes(between, 1, 2)
     said = right[:, CURVATURES_AND_RADIUS] - np.einsum("mij,mj->mi", through, right[:, _REST])
@@ -157,7 +158,7 @@ def _perhaps_planes(
     means, covariances, evidence = [], [], []
     for sigmas in product((PRIOR_SIGMA[2], _PLANE), repeat=2):
         expected = np.append(sigmas, np.full(said.shape[1] - 2, _ANY_RADIUS))
-        covariance = np.linalg.inv(information + np.diag(1.0 / expected**2))
+        covariance = inverses(information + np.diag(1.0 / expected**2))
         mean = np.einsum("mij,mj->mi", covariance, said)
         means.append(mean)
         covariances.append(covariance)

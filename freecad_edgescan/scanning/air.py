@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..geometry.plain_number import plain
 from .errors import ScanError
 
 _CLEARLY = np.sin(np.radians(10.0))
@@ -50,6 +51,6 @@ def convex_by_rounding(probe_radius: float, rounding: np.ndarray, sigma: np.ndar
         return True
     raise ScanError(
         f"The cloud holds probe centres (probe radius {probe_radius:g} mm) and its rim is rounded "
-        f"by {radius:.3g} mm: that may be a rounded outer edge or a fillet in a corner. Give the "
-        "direction the probe came along, for example approach=(0, 0, -1)."
+        f"by {plain(radius, 3)} mm: that may be a rounded outer edge or a fillet in a corner. Give "
+        "the direction the probe came along, for example approach=(0, 0, -1)."
     )

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
+from ..geometry.plain_number import plain
 from .errors import ScanError
 from .evened import one_per_cell
 from .parameters import ScanParameters
@@ -59,8 +60,8 @@ class Chosen:
             if reach >= _SIDE * begins:
                 return replace(self, settings=self.settings.with_reach(reach))
             reason = (
-                f"given; {2.0 * seed.reach:.3g} mm are used, since a rounding of this edge leaves "
-                "less of the sides than it takes away"
+                f"given; {plain(2.0 * seed.reach, 3)} mm are used, since a rounding of this edge "
+                "leaves less of the sides than it takes away"
             )
             return Chosen(
                 self.parameters,
@@ -104,30 +105,32 @@ def choose_parameters(
     edge_pitch = given.edge_pitch
     if edge_pitch is None:
         edge_pitch = _EDGE_PITCH * pitch
-        reasons["edge_pitch"] = f"{_EDGE_PITCH:g} times the cloud pitch of {pitch:.3g} mm"
+        reasons["edge_pitch"] = f"{_EDGE_PITCH:g} times the cloud pitch of {plain(pitch, 3)} mm"
     elif edge_pitch < pitch:
         raise ScanError(
-            f"The edge pitch of {edge_pitch:g} mm is below the cloud pitch of {pitch:.3g} mm; "
-            f"give at least {pitch:.3g} mm, better {_EDGE_PITCH * pitch:.3g} mm."
+            f"The edge pitch of {edge_pitch:g} mm is below the cloud pitch of {plain(pitch, 3)} "
+            f"mm; give at least {plain(pitch, 3)} mm, better {plain(_EDGE_PITCH * pitch, 3)} mm."
         )
     amplitude = given.amplitude
     if amplitude is None:
         amplitude = _AMPLITUDE * pitch + 2.0 * probe
         reasons["amplitude"] = (
-            f"{_AMPLITUDE:g} times the cloud pitch of {pitch:.3g} mm"
+            f"{_AMPLITUDE:g} times the cloud pitch of {plain(pitch, 3)} mm"
             + (" and the probe's diameter" if probe else "")
             + "; each side is used as far as it is one smooth surface"
         )
     elif amplitude < _FEWEST_PITCHES * pitch:
         raise ScanError(
             f"The amplitude of {amplitude:g} mm has no room for points on both sides of the edge "
-            f"in a cloud of pitch {pitch:.3g} mm; give at least {_FEWEST_PITCHES * pitch:.3g} mm."
+            f"in a cloud of pitch {plain(pitch, 3)} mm; give at least "
+            f"{plain(_FEWEST_PITCHES * pitch, 3)} mm."
         )
     extent = float(np.linalg.norm(cloud.size))
     if probe > 0.25 * extent or probe >= 0.5 * amplitude:
         raise ScanError(
             f"The probe radius of {probe:g} mm is larger than what is to be scanned (amplitude "
-            f"{amplitude:.3g} mm, cloud {extent:.3g} mm across); check the radius and its unit."
+            f"{plain(amplitude, 3)} mm, cloud {plain(extent, 3)} mm across); check the "
+            "radius and its unit."
         )
     noise = max(cloud.noise, _LEAST_NOISE * pitch)
     reasons["cloud_pitch"] = "measured near the start" if given.cloud_pitch is None else "given"

@@ -14,8 +14,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud, require_surface
+from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .automatic import MIN_ANGLE
 from .errors import ScanError
+from .face_beside import side_of
 from .parameters import ScanParameters
 from .progress import Progress
 from .scan import scan_edge
@@ -61,7 +64,8 @@ def scan_boundary(
 
     Raises
     ------
-    ScanError: there is no edge near `at`, or `inside` is no place on the cloud.
+    ScanError: there is no edge near `at`, or `inside` is no place on the cloud or on a face beside
+        that edge.
     ValueError: a cloud without a surface.
     """
     require_surface(cloud)
@@ -78,7 +82,14 @@ def scan_boundary(
             return None
 
     first = scan_edge(cloud, at, None, parameters, None, min_angle, told)
-    onward = _round_the_face(cloud, [_Bound.of(first, place)], scan)
+    side = side_of(cloud, first, place)
+    if side is None:
+        raise ScanError(
+            f"The place inside, ({place_text(place)}), is on a face that the edge near the click "
+            "does not bound; give a place on one of the two faces beside that edge, or click on an "
+            "edge of the face that the place is on."
+        )
+    onward = _round_the_face(cloud, [_Bound.of(first, place, side)], scan)
     if not _closes(onward, cloud.pitch):
         # From the other end, walked backwards, the face lies on the other hand.
         backward = _round_the_face(cloud, [bound.reversed() for bound in onward[::-1]], scan)
@@ -100,7 +111,7 @@ def _on_the_cloud(cloud: PointCloud, inside: Point) -> np.ndarray:
     distance = float(cloud.tree.query(place)[0])
     if distance > _FARTHEST * cloud.pitch:
         raise ScanError(
-            f"The place inside, {tuple(place.tolist())}, is {distance:.3g} mm away from the "
+            f"The place inside, ({place_text(place)}), is {plain(distance, 3)} mm away from the "
             "nearest point of the cloud; choose one on the face."
         )
     return place
@@ -136,9 +147,8 @@ class _Bound:
     hand: float
 
     @classmethod
-    def of(cls, edge: ScannedEdge, inside: np.ndarray) -> _Bound:
+    def of(cls, edge: ScannedEdge, inside: np.ndarray, side: int) -> _Bound:
         j = int(np.linalg.norm(edge.points - inside, axis=1).argmin())
-        side = int((edge.sides[j] @ (inside - edge.points[j])).argmax())
         return cls(edge, side, 1.0, _hand(edge, side, 1.0, j))
 
     def reversed(self) -> _Bound:

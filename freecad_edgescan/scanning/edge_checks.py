@@ -7,6 +7,7 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .automatic import Chosen
 from .corner import corners
 from .errors import ScanError
@@ -50,8 +51,9 @@ def _check_known(edge: ScannedEdge, chosen: Chosen) -> None:
     if sigma > pitch:
         raise ScanError(
             f"What meets near ({place_text(edge.points[len(edge) // 2])}) is known only to "
-            f"{sigma:.3g} mm (one sigma), worse than the cloud's pitch of {pitch:.3g} mm: the "
-            "sides are too narrow, too curved or too noisy. Click elsewhere, or scan denser."
+            f"{plain(sigma, 3)} mm (one sigma), worse than the cloud's pitch of {plain(pitch, 3)} "
+            "mm: the sides are too narrow, too curved or too noisy. Click elsewhere, "
+            "or scan denser."
         )
 
 
@@ -76,9 +78,9 @@ def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
     curled = float(np.median(fits.inward_curl.sum(axis=1))) > _CURLED
     if away > begins + _BESIDE * pitch or (curled and away > rounded + _BESIDE_CURLED * pitch):
         raise ScanError(
-            f"The sides near ({place_text(middle)}) come together {away:.3g} mm outside the "
-            f"points, although they begin {begins:.2g} mm from there: they are the two faces of "
-            "something too thin for this pitch, and have no edge there. An edge needs sides of "
+            f"The sides near ({place_text(middle)}) come together {plain(away, 3)} mm outside the "
+            f"points, although they begin {plain(begins, 2)} mm from there: they are the two faces "
+            "of something too thin for this pitch, and have no edge there. An edge needs sides of "
             "four pitches; click on a wider one, or scan denser."
         )
 
@@ -99,7 +101,7 @@ def _check_smooth(edge: ScannedEdge, chosen: Chosen) -> None:
     if np.any(narrow):
         raise ScanError(
             f"One side near ({place_text(edge.points[len(edge) // 2])}) is seen on "
-            f"{fits.seen[narrow].min():.2g} mm only, and may be a piece of a rounding there. "
+            f"{plain(fits.seen[narrow].min(), 2)} mm only, and may be a piece of a rounding there. "
             "Click elsewhere along the edge, or scan denser."
         )
 
@@ -110,5 +112,6 @@ def _check_sides_end(edge: ScannedEdge, cloud: PointCloud, chosen: Chosen) -> No
         raise ScanError(
             f"One of the surfaces near ({place_text(edge.points[len(edge) // 2])}) goes on beyond "
             "where the other one would meet it: there is no edge. The other one may lie behind a "
-            "thin wall; click nearer to the edge that you mean."
+            "thin wall: click nearer to the edge that you mean. Or a burr or a bead stands along "
+            "the edge: take its points out of the cloud, and scan again."
         )

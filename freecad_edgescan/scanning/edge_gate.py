@@ -9,6 +9,7 @@ from typing import Protocol
 import numpy as np
 
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .errors import ScanError
 from .section import Station
 from .start import Gate, Start, numbers
@@ -107,8 +108,8 @@ def make_gate(
     away = float(np.linalg.norm(point - first.frame.origin[0]))
     if away < 2.0 * edge_pitch:
         raise ScanError(
-            f"The gate at ({place_text(point)}) is {away:.3g} mm from where the walk begins; "
-            f"give one at least {2.0 * edge_pitch:.3g} mm away, or none."
+            f"The gate at ({place_text(point)}) is {plain(away, 3)} mm from where the walk begins; "
+            f"give one at least {plain(2.0 * edge_pitch, 3)} mm away, or none."
         )
     return PointGate(point, reach)
 
@@ -129,7 +130,7 @@ def _check_ahead(start: Start | None, point: np.ndarray, reach: float) -> None:
     way = point - start.point
     if way @ start.along < 0 and np.linalg.norm(way) < 4.0 * reach:
         raise ScanError(
-            f"The gate at ({place_text(point)}) lies {-float(way @ start.along):.3g} mm behind the "
-            "start, against the direction of the walk; turn the start's direction along the edge "
-            "round, or move the gate."
+            f"The gate at ({place_text(point)}) lies {plain(-float(way @ start.along), 3)} mm "
+            "behind the start, against the direction of the walk; turn the start's direction along "
+            "the edge round, or move the gate."
         )

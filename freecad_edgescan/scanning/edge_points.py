@@ -45,7 +45,7 @@ from .stop import GIVEN_ENDS, Stop
 from .strip import strip_points
 
 _NEAR_END = 8.0  # pitches from the edge in which a side's end is looked for
-_SUPPLIED = 3  # points of a side below which a section bridges a gap
+_SUPPLIED = 3  # smooth points of a side below which a section rests on its neighbours
 _WIDER = (1, 2, 4, 8)  # sections on each side to borrow points from
 _MOSTLY, _SOME = 0.5, 0.05  # shares of the sections
 _BESIDE = 11  # sections whose roundings are alike
@@ -76,7 +76,7 @@ class Measured:
     half_length : (m, 2) how far along the edge, to both ends, the points of each side reach, mm
     summed_over : sections on each side over which most of them have summed what they know of their
         sides' curvature, see `shared_between`
-    supplied : (m,) whether both sides have points in the section itself
+    supplied : (m,) whether both sides have smooth points in the section itself
     at : (m,) places of the sections along the edge, mm
     extent : places along the edge between which both sides have points, mm
     """

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..cloud.point_cloud import PointCloud
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .automatic import Chosen
 from .errors import ScanError
 from .parameters import ScanParameters
@@ -20,6 +21,9 @@ __all__ = ["first_section", "place_to_look"]
 Point = Sequence[float] | np.ndarray
 _FARTHEST_CLICK = 10.0  # pitches from the nearest cloud point
 _CLOSE_CLICK = 4.0  # pitches from an edge within which a click means it
+_ROUND_THE_CLICK = 6.0  # pitches
+# Of these, by which the centroid of points is off: 0.42 of half a disc, below 0.1 by chance.
+_ONE_SIDED = 0.2
 _LOOK_AROUND = 60.0  # pitches round a click without an edge, to name the nearest one
 
 
@@ -43,8 +47,8 @@ def place_to_look(cloud: PointCloud, at: Point | Start, parameters: ScanParamete
     if distance > farthest:
         low, high = cloud.bounds
         raise ScanError(
-            f"The place ({place_text(wanted)}) is {distance:.3g} mm away from the nearest point "
-            f"of the cloud, which reaches from ({place_text(low)}) to ({place_text(high)}); "
+            f"The place ({place_text(wanted)}) is {plain(distance, 3)} mm away from the nearest "
+            f"point of the cloud, which reaches from ({place_text(low)}) to ({place_text(high)}); "
             "choose a place on it."
         )
     return cloud.points[index] if isinstance(at, Start) else wanted
@@ -76,12 +80,26 @@ def first_section(cloud: PointCloud, near: np.ndarray, start: Start | None, chos
             return other
     message = f"There is no edge within reach of ({place_text(near)})"
     if other is None:
+        smooth = plain(_LOOK_AROUND * settings.cloud_pitch, 3)
+        one_sided = (
+            " The cloud ends there, and an edge needs both of its sides in the cloud."
+            if _at_the_border(cloud, near)
+            else ""
+        )
         raise ScanError(
-            f"{message}: the surface is smooth for {_LOOK_AROUND * settings.cloud_pitch:.3g} mm "
-            "round it. Click nearer to an edge."
+            f"{message}: the surface is smooth for {smooth} mm round it. Click nearer to an edge."
+            f"{one_sided}"
         )
     place = other.station.frame.origin[0]
     raise ScanError(
         f"{message}: the surface is smooth there. The nearest edge found is "
-        f"{np.linalg.norm(place - near):.3g} mm away, at ({place_text(place)})."
+        f"{plain(float(np.linalg.norm(place - near)), 3)} mm away, at ({place_text(place)})."
     )
+
+
+def _at_the_border(cloud: PointCloud, near: np.ndarray) -> bool:
+    """Whether the points round the one nearest to a place (3,), mm, lie to one side of it."""
+    middle = cloud.points[int(cloud.tree.query(near)[1])]
+    around = cloud.tree.query_ball_point(middle, _ROUND_THE_CLICK * cloud.pitch)
+    off = float(np.linalg.norm(cloud.points[around].mean(axis=0) - middle))
+    return off > _ONE_SIDED * _ROUND_THE_CLICK * cloud.pitch

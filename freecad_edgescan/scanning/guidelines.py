@@ -14,6 +14,7 @@ from enum import StrEnum
 
 import numpy as np
 
+from ..geometry.plain_number import plain
 from .errors import ScanError
 from .parameters import ScanParameters
 from .surroundings import Surroundings
@@ -68,9 +69,8 @@ class Bound:
     def text(self) -> str:
         """The bound as one line."""
         words = self.parameter.replace("_", " ")
-        return (
-            f"{words}: {self.limit} {self.value:.4g} mm (Schreve {self.equation}): {self.sentence}"
-        )
+        value = plain(self.value, 4)
+        return f"{words}: {self.limit} {value} mm (Schreve {self.equation}): {self.sentence}"
 
 
 @dataclass(frozen=True)
@@ -122,20 +122,20 @@ class Guidelines:
         every = (
             Bound(
                 "amplitude", low, 3.0 * gap, "5.3.4.6.1",
-                f"the way round the edge takes {gap:.3g} mm; each side should be as long.",
+                f"the way round the edge takes {plain(gap, 3)} mm; each side should be as long.",
             ),
             Bound(
                 "amplitude", low, 2.0 * _LEAST_POINTS * step + gap, "5.3.4.6.2, corrected",
-                f"three points on each side, {step:.3g} mm apart.",
+                f"three points on each side, {plain(step, 3)} mm apart.",
             ),
             Bound(
                 "amplitude", high, 2.0 * longest * r + gap, arcs[0],
-                f"on longer arcs than {longest:g} times the radius of {r:.3g} mm a {name} "
+                f"on longer arcs than {longest:g} times the radius of {plain(r, 3)} mm a {name} "
                 "departs from the surface.",
             ),
             Bound(
                 "amplitude", optimum, 2.0 * best * r + gap, arcs[1],
-                f"a {name} does best on an arc of {best:g} times the radius of {r:.3g} mm.",
+                f"a {name} does best on an arc of {best:g} times the radius of {plain(r, 3)} mm.",
             ),
             Bound(
                 "cloud_pitch", high, _LARGEST_PITCH[kind] * r, pitches[0],
@@ -149,7 +149,7 @@ class Guidelines:
             Bound("edge_pitch", optimum, step, "table 1", "as large as the line pitch."),
             Bound(
                 "tolerance", low, least_tolerance(around, projected), "5.3.3.5.1.1",
-                f"the noise level of {around.noise_level:.3g} mm"
+                f"the noise level of {plain(around.noise_level, 3)} mm"
                 + (", and what points off the scanning plane add to it." if projected else "."),
             ),
         )  # fmt: skip
@@ -192,8 +192,8 @@ class Guidelines:
             if (value < bound.value) if below else (value > bound.value):
                 words = bound.parameter.replace("_", " ")
                 yield (
-                    f"The {words} of {value:.4g} mm is {'below' if below else 'above'} the "
-                    f"guideline of {bound.value:.4g} mm (Schreve {bound.equation}): "
+                    f"The {words} of {plain(value, 4)} mm is {'below' if below else 'above'} the "
+                    f"guideline of {plain(bound.value, 4)} mm (Schreve {bound.equation}): "
                     f"{bound.sentence}"
                 )
 
@@ -226,8 +226,9 @@ def check_possible(parameters: ScanParameters) -> None:
         if value is not None and p.cloud_pitch is not None and value < p.cloud_pitch:
             raise ScanError(
                 f"The {name.replace('_', ' ')} of {value:g} mm is below the cloud pitch of "
-                f"{p.cloud_pitch:.3g} mm, where there is nothing to touch; give at least "
-                f"{p.cloud_pitch:.3g} mm, better {LEAST_PITCHES * p.cloud_pitch:.3g} mm."
+                f"{plain(p.cloud_pitch, 3)} mm, where there is nothing to touch; give at least "
+                f"{plain(p.cloud_pitch, 3)} mm, better "
+                f"{plain(LEAST_PITCHES * p.cloud_pitch, 3)} mm."
             )
     if p.amplitude is None or p.line_pitch is None or p.degree is None:
         return
@@ -237,14 +238,14 @@ def check_possible(parameters: ScanParameters) -> None:
             f"An amplitude of {p.amplitude:g} mm at a line pitch of {p.line_pitch:g} mm makes "
             f"{points:.3g} points on each side of the edge; degree {p.degree} needs more than "
             f"{needed} (Schreve 4.7.1.1). Give an amplitude above "
-            f"{2.0 * needed * p.line_pitch:.3g} mm, a line pitch below "
-            f"{0.5 * p.amplitude / needed:.3g} mm, or a lower degree."
+            f"{plain(2.0 * needed * p.line_pitch, 3)} mm, a line pitch below "
+            f"{plain(0.5 * p.amplitude / needed, 3)} mm, or a lower degree."
         )
 
 
 def _pitch_bounds(pitch: float) -> tuple[Bound, ...]:
     least, reason = LEAST_PITCHES * pitch, "so that no point is touched twice"
-    sentence = f"{LEAST_PITCHES:g} times the cloud pitch of {pitch:.3g} mm, {reason}."
+    sentence = f"{LEAST_PITCHES:g} times the cloud pitch of {plain(pitch, 3)} mm, {reason}."
     return tuple(
         Bound(name, Limit.MINIMUM, least, "4.4.4", sentence)
         for name in ("line_pitch", "edge_pitch")
@@ -262,8 +263,8 @@ def _contradictions(bounds: tuple[Bound, ...]) -> Iterable[str]:
         most = min(high, key=lambda bound: bound.value)
         if least.value > most.value:
             yield (
-                f"The {parameter.replace('_', ' ')} should be at least {least.value:.4g} mm "
-                f"(Schreve {least.equation}) and at most {most.value:.4g} mm (Schreve "
+                f"The {parameter.replace('_', ' ')} should be at least {plain(least.value, 4)} mm "
+                f"(Schreve {least.equation}) and at most {plain(most.value, 4)} mm (Schreve "
                 f"{most.equation}), which cannot both be; the edge may be scanned, but "
                 "inaccurately."
             )

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud, require_surface
+from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .automatic import MIN_ANGLE, choose_parameters
 from .edge_site import EdgeSite, measure_site
 from .errors import ScanError
@@ -82,14 +84,14 @@ class Recommendation:
 
     def text(self) -> str:
         """Everything, for a person."""
-        x, y, z = np.round(self.place, 9) + 0.0
         lines = [
-            f"Edge near ({x:.4g}, {y:.4g}, {z:.4g}), scanned with method {self.method!r}",
+            f"Edge near ({place_text(self.place)}), scanned with method {self.method!r}",
             f"  surfaces         {self._surfaces()}",
             f"  angle            {np.degrees(self.angle):.1f} deg",
             f"  rounding         {self._rounding()}",
-            f"  cloud pitch      {self.cloud_pitch:.4g} mm, the largest distance between points",
-            f"  noise level      {self.noise_level:.4g} mm",
+            f"  cloud pitch      {plain(self.cloud_pitch, 4)} mm, the largest distance between "
+            "points",
+            f"  noise level      {plain(self.noise_level, 4)} mm",
             "Parameters",
         ]
         for name in (*_LENGTHS, *_CHOICES, "approach"):
@@ -106,8 +108,8 @@ class Recommendation:
             if sentences:
                 lines += [title, *(f"  {sentence}" for sentence in sentences)]
         lines.append(
-            f"Error to expect: {self.expected_error:.2g} mm (form of the surfaces "
-            f"{self.model_bias:.2g}, noise {self.noise_error:.2g} mm)"
+            f"Error to expect: {plain(self.expected_error, 2)} mm (form of the surfaces "
+            f"{self.model_bias:.2g}, noise {plain(self.noise_error, 2)} mm)"
         )
         if self.method == "probe":
             lines.append("Schreve: sections of the dissertation that docs/probe.md goes by.")
@@ -116,10 +118,10 @@ class Recommendation:
     def _surfaces(self) -> str:
         if not np.isfinite(self.section_radius):
             return "plane"
-        return f"radius {abs(self.section_radius):.4g} mm across the edge"
+        return f"radius {plain(abs(self.section_radius), 4)} mm across the edge"
 
     def _rounding(self) -> str:
-        return f"radius {self.fillet_radius:.3g} mm" if self.fillet_radius else "none found"
+        return f"radius {plain(self.fillet_radius, 3)} mm" if self.fillet_radius else "none found"
 
 
 def recommend_parameters(
@@ -215,7 +217,7 @@ def _recommendation(
 
 def _text(name: str, value: object) -> str:
     if name in _LENGTHS:
-        return f"{value:.4g} mm"
+        return f"{plain(float(np.asarray(value)), 4)} mm"
     if name == "approach":
         return (
             "("

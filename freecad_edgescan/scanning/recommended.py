@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from ..cloud.point_cloud import PointCloud
+from ..geometry.plain_number import plain
 from .edge_site import EdgeSite, measure_site
 from .error_model import largest_deviation
 from .errors import ScanError
@@ -113,10 +114,10 @@ def _check_room(site: EdgeSite) -> None:
     pitch = site.around.cloud_pitch
     if 0.5 * site.room <= _FEWEST_PITCHES * pitch:
         raise ScanError(
-            f"The sides of this edge leave {max(0.5 * site.room, 0.0):.3g} mm for a scan line, as "
-            "far as they are smooth and clear of a rounding and of other edges, and the cloud's "
-            f"points lie up to {pitch:.3g} mm apart: too few. Take method='patch', which uses all "
-            "points, or give an amplitude."
+            f"The sides of this edge leave {plain(max(0.5 * site.room, 0.0), 3)} mm for a scan "
+            "line, as far as they are smooth and clear of a rounding and of other edges, and the "
+            f"cloud's points lie up to {plain(pitch, 3)} mm apart: too few. Take method='patch', "
+            "which uses all points, or give an amplitude."
         )
 
 
@@ -124,8 +125,8 @@ def _why(straight: bool, more: float, scatter: float) -> str:
     if not np.isfinite(scatter):
         return "the amplitude has not enough points for a quadratic"
     return (
-        f"a line would be off by {more:.2g} mm more all along the edge, "
-        f"{'far below' if straight else 'too much for'} the {scatter:.2g} mm that noise does "
+        f"a line would be off by {plain(more, 2)} mm more all along the edge, "
+        f"{'far below' if straight else 'too much for'} the {plain(scatter, 2)} mm that noise does "
         "to a quadratic"
     )
 
@@ -188,7 +189,10 @@ def _amplitude(site: EdgeSite, degree: int, line_pitch: float) -> tuple[float, s
         return amplitude, "the least that the rounding and the line pitch allow"
     if amplitude == enough:
         return amplitude, "farther off the surfaces tell little more about the edge"
-    return amplitude, f"best for surfaces of radius {around.arc_radius:.3g} mm, with points enough"
+    return (
+        amplitude,
+        f"best for surfaces of radius {plain(around.arc_radius, 3)} mm, with points enough",
+    )
 
 
 def _line_pitch(around: Surroundings, amplitude: float, degree: int) -> tuple[float, str]:
@@ -204,7 +208,8 @@ def _line_pitch(around: Surroundings, amplitude: float, degree: int) -> tuple[fl
         return many, f"{_MOST_POINTS} points on each side"
     return (
         least,
-        f"{LEAST_PITCHES:g} times the cloud pitch of {around.cloud_pitch:.3g} mm (Schreve 4.4.4)",
+        f"{LEAST_PITCHES:g} times the cloud pitch of {plain(around.cloud_pitch, 3)} mm "
+        "(Schreve 4.4.4)",
     )
 
 
@@ -229,6 +234,6 @@ def _tolerance(
         bend = arc * float(largest_deviation(degree, min(length / arc, np.pi)))
     tolerance = _TOLERANCE * least + _UNEVEN * around.cloud_pitch + bend
     return tolerance, (
-        f"the noise level of {around.noise_level:.3g} mm with a little room, so that points on a "
-        "rounding are told from the surface (after Schreve 5.3.3.5.1.1)"
+        f"the noise level of {plain(around.noise_level, 3)} mm with a little room, so that points "
+        "on a rounding are told from the surface (after Schreve 5.3.3.5.1.1)"
     )

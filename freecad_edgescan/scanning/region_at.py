@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial import cKDTree
 
+from ..geometry.place_text import place_text
 from .errors import ScanError
 from .network import EdgeNetwork, Region
 
@@ -27,7 +28,7 @@ def region_at(network: EdgeNetwork, place: ArrayLike) -> Region:
     for number, region in enumerate(network.regions):
         of_point[region.mask] = number
     on_faces = np.flatnonzero(of_point >= 0)
-    where = ", ".join(f"{value:.6g}" for value in at)
+    where = place_text(at)
     if len(on_faces):
         away, nearest = cKDTree(cloud.points[on_faces], balanced_tree=False).query(at)
         if away <= _REACH * cloud.pitch:

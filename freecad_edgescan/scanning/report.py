@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ..geometry.plain_number import plain
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge
 from .stop import Stop
@@ -52,28 +53,32 @@ def describe(edge: ScannedEdge, gate: object | None) -> str:
         moved = probe / np.sin(0.5 * float(np.median(edge.angle)))
         sentences.append(
             f"The points count as centres of a ball of {probe:g} mm radius, and the rim as {kind}: "
-            f"the edge lies {moved:.3g} mm off where the sides through the points meet. If the "
-            "points lie on the part itself, give no probe radius."
+            f"the edge lies {plain(moved, 3)} mm off where the sides through the points meet. If "
+            "the points lie on the part itself, give no probe radius."
         )
     outside = float(np.median(edge.overhang)) if len(edge.overhang) else 0.0
     if outside > _FAR_OUTSIDE * (edge.parameters.cloud_pitch or np.inf):
         sentences.append(
-            f"The two sides meet {outside:.3g} mm outside the points: a rounding or wear has taken "
-            "the edge away, or there never was a sharp one."
+            f"The two sides meet {plain(outside, 3)} mm outside the points: a rounding or wear has "
+            "taken the edge away, or there never was a sharp one."
         )
     scatter, pitch = _scatter(edge), edge.parameters.cloud_pitch or np.inf
     if scatter > _MOST_SCATTER * pitch:
         sentences.append(
-            f"The points scatter by {scatter:.3g} mm about the sides and are {pitch:.3g} mm apart: "
-            "the surface may be there twice (two scans that do not match, a thin wall), and then "
-            "the edge is between the two, or worse than stated."
+            f"The points scatter by {plain(scatter, 3)} mm about the sides and are "
+            f"{plain(pitch, 3)} mm apart: the surface may be there twice (two scans that do not "
+            "match, a thin wall), and then the edge is between the two, or worse than stated."
         )
     amplitude = edge.reasons.get("amplitude", "")
     if amplitude.startswith("given; "):
-        sentences.append(f"The amplitude of {edge.parameters.amplitude:.3g} mm was {amplitude}.")
-    bridged = int((~edge.supported).sum())
-    if bridged:
-        sentences.append(f"{bridged} of {len(edge)} edge points bridge gaps in the cloud.")
+        given = plain(edge.parameters.amplitude or 0.0, 3)
+        sentences.append(f"The amplitude of {given} mm was {amplitude}.")
+    lent = int((~edge.supported).sum())
+    if lent:
+        sentences.append(
+            f"{lent} of {len(edge)} edge points rest on their neighbours: the cloud has a gap "
+            "there, or too little of a side looks smooth."
+        )
     if edge.method == "probe":
         return " ".join(sentences)
     ignored = [name.replace("_", " ") for name in _IGNORED if edge.reasons.get(name) == "given"]
@@ -91,7 +96,7 @@ def _scatter(edge: ScannedEdge) -> float:
 
 
 def _ends(edge: ScannedEdge) -> str:
-    size = f"{len(edge)} edge points, {edge.length:.4g} mm"
+    size = f"{len(edge)} edge points, {plain(edge.length, 4)} mm"
     if edge.closed:
         return f"{size}; the edge is closed."
     start, end = edge.stops

@@ -26,6 +26,7 @@ import numpy as np
 
 from .corner import Meeting, inverse_2x2
 from .normal_equations import owed_to_noise
+from .positive_definite import inverses
 from .section import Frames, SectionPoints
 
 __all__ = ["CURVATURES_AND_RADIUS", "Rounded", "Rows", "equations", "rows_of", "solved"]
@@ -195,6 +196,6 @@ def solved(
     # Of unit diagonal: what is known to a millionth stands beside what is hardly known.
     scale = 1.0 / np.sqrt(np.einsum("mii->mi", normal))
     scale = scale[:, :, None] * scale[:, None]
-    covariance = scale * np.linalg.inv(scale * normal)
+    covariance = scale * inverses(scale * normal)
     pulled = right + np.einsum("mij,mj->mi", precision, mean)
     return np.einsum("mij,mj->mi", covariance, pulled), covariance

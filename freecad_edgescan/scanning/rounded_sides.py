@@ -19,6 +19,7 @@ import numpy as np
 from scipy.ndimage import convolve1d
 
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .edge_path import EdgePath
 from .errors import ScanError
 from .normal_equations import BLOCK_EDGES
@@ -123,9 +124,9 @@ def _no_side_left(strip: RoundedStrip, model: Rounded) -> ScanError:
     middle = strip.frames.origin[len(strip.frames) // 2]
     least = _LEAST_SIDE * strip.pitch * strip.reach
     return ScanError(
-        f"Something like a rounding of radius {radius:.2g} mm near ({place_text(middle)}) leaves "
-        f"less than {least:.2g} mm of one side, and where that met the other one is not known. "
-        "Click elsewhere across the rounding or along it, or scan denser."
+        f"Something like a rounding of radius {plain(radius, 2)} mm near ({place_text(middle)}) "
+        f"leaves less than {plain(least, 2)} mm of one side, and where that met the other one is "
+        "not known. Click elsewhere across the rounding or along it, or scan denser."
     )
 
 

@@ -11,6 +11,7 @@ from .edge_path import EdgePath
 from .neighbours import Neighbours
 from .normal_equations import PRIOR_SIGMA, crowd_weights
 from .patch_section import PatchSettings
+from .positive_definite import inverses
 from .rounded_rows import CURVATURES_AND_RADIUS, Rounded, Rows, rows_of, solved
 from .section import Frames, SectionPoints
 
@@ -65,7 +66,7 @@ class Expected:
         means, precision = self.mean.copy(), self.precision.copy()
         means[:, CURVATURES_AND_RADIUS] = mean
         rows = CURVATURES_AND_RADIUS
-        precision[:, rows[:, None], rows] = np.linalg.inv(covariance + 1e-8 * np.eye(3))
+        precision[:, rows[:, None], rows] = inverses(covariance + 1e-8 * np.eye(3))
         return Expected(means, precision)
 
     def of_change(self, radius: np.ndarray) -> np.ndarray:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..geometry.plain_number import plain
 from .corner import across_axes, largest_sigma
 from .edge_point_table import COLUMNS, edge_point_rows
 from .parameters import ScanParameters
@@ -39,7 +40,8 @@ class ScannedEdge:
     convex : True when material fills the smaller wedge, False when air does, None when unknown
     covariance : (m, 2, 2) mm², in the two axes across the edge (n1 + n2 and n1 − n2, normalised)
     fillet_radius, fillet_sigma : (m,) mm, nan where no rounding is measurable
-    supported : (m,) False where a gap was bridged
+    supported : (m,) False where a side has no points of its own, in a gap of the cloud or because
+        too little of it looks smooth, and the point rests on its neighbours
     compensation : (m,) how the probe radius was taken off each point
     closed : whether the last point leads back to the first
     stops : why the edge ends, at its start and at its end
@@ -83,7 +85,7 @@ class ScannedEdge:
 
     def __repr__(self) -> str:
         ends = " to ".join(stop.name for stop in self.stops)
-        return f"ScannedEdge({len(self)} points, {self.length:.6g} mm, {ends})"
+        return f"ScannedEdge({len(self)} points, {plain(self.length, 6)} mm, {ends})"
 
     @cached_property
     def sigma(self) -> np.ndarray:

@@ -22,6 +22,7 @@ import numpy as np
 from .corner import Corners, across_axes, root_2x2
 from .edge_points import Measured
 from .pooling import shared_between
+from .positive_definite import inverses
 
 _FARTHEST = 16.0  # pitches of the cloud, that a neighbour may be away
 _MOST_TURNED = 0.8  # rad, that the edge may bend up to there
@@ -198,7 +199,7 @@ class _Neighbours:
         eigenvalues = np.linalg.eigvalsh(scaled)
         found &= eigenvalues[:, 0] > 1e-8 * eigenvalues[:, -1]
         scaled = np.where(found[:, None, None], scaled, np.eye(degree + 1))
-        first = np.linalg.inv(scaled)[:, 0] / size[:, :1] / size
+        first = inverses(scaled)[:, 0] / size[:, :1] / size
         return np.where(found[:, None], np.einsum("mki,mi->mk", weighted, first), 0.0), found
 
     def misfit(self, used: np.ndarray, degree: int) -> np.ndarray:

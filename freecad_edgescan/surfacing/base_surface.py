@@ -17,6 +17,7 @@ from ..cloud import PointCloud
 from ..cloud.local_normals import local_normals
 from ..cloud.progress import Progress, Stage
 from ..geometry import BSplineCurve, BSplineSurface
+from ..geometry.plain_number import plain
 from ..scanning import ScannedEdge
 from .coons import coons_surface
 from .deviation import points_of
@@ -151,8 +152,8 @@ def _from_points(
     extents = cloud.principal_extents
     if extents[1] <= 1e-6 * extents[0]:
         raise ValueError(
-            f"All {len(points)} points lie on one line, {extents[0]:.4g} mm long; no surface is "
-            "determined. Take a larger segment."
+            f"All {len(points)} points lie on one line, {plain(extents[0], 4)} mm long; no surface "
+            "is determined. Take a larger segment."
         )
     some = _sample(len(points))
     normals = local_normals(cloud, some, Stage(progress, 0.0, 0.3))
@@ -171,7 +172,7 @@ def _from_points(
     strays = int(np.count_nonzero(~near))
     message = (
         f"{shape.said()} holds {len(points) - strays} of {len(points)} points with a spread of "
-        f"{spread:.3g} mm."
+        f"{plain(spread, 3)} mm."
     )
     return BaseSurface(placed, shape.kind, message, shape.moved(origin))
 

@@ -16,6 +16,7 @@ from ..cloud import PointCloud
 from ..geometry import BSplineCurve, Circle, Line, Plane
 from ..geometry.frames import orthonormalise
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from ..scanning import ScannedEdge
 from .base_surface import curve_of
 from .deviation import points_of
@@ -138,9 +139,9 @@ def cross_section(
     if len(rows) < _FEWEST:
         where = place_text(cut.plane.point)
         raise ValueError(
-            f"The section at ({where}) holds {len(rows)} points within {wanted:.3g} mm in a slab "
-            f"of {slab:.3g} mm; a profile needs {_FEWEST}. Choose a place where the cloud is, or "
-            "give a larger reach or thickness."
+            f"The section at ({where}) holds {len(rows)} points within {plain(wanted, 3)} mm in a "
+            f"slab of {plain(slab, 3)} mm; a profile needs {_FEWEST}. Choose a place where the "
+            "cloud is, or give a larger reach or thickness."
         )
     start = None if towards is None else cut.plane.point
     profile = section_profile(

@@ -16,6 +16,7 @@ from scipy.interpolate import make_interp_spline
 
 from ..geometry import BSplineCurve, BSplineSurface, distance_to_polyline
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .overlap import OverlappingPatches, overlapping_patches
 from .surface_pair import SurfacePair
 from .tracing import Branch, trace_branch
@@ -157,7 +158,7 @@ def _refuse_touching(points: Array, size: float) -> None:
     if extent > size:
         where = place_text(points[len(points) // 2])
         raise ValueError(
-            f"The surfaces touch or coincide over {extent:.3g} mm, near ({where}), without "
+            f"The surfaces touch or coincide over {plain(extent, 3)} mm, near ({where}), without "
             "crossing; no curve of intersection is determined there. Move or turn one of them a "
             "little, or cut the common part off."
         )

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ..geometry import BSplineSurface
 from ..geometry.knot_vectors import averaged_knots
+from ..geometry.plain_number import plain
 from .fit_result import SurfaceFit
 from .parameterised import Parameterised
 from .surface_through import surface_through
@@ -55,8 +56,8 @@ def fit_with_enough_poles(
     if tolerance is None or fit.maximum <= tolerance or search.cancelled:
         return fit
     said = (
-        f"The largest deviation is {fit.maximum:.3g} mm, above the tolerance of {tolerance:g} mm; "
-        "more control points would only follow the points' scatter."
+        f"The largest deviation is {plain(fit.maximum, 3)} mm, above the tolerance of "
+        f"{tolerance:g} mm; more control points would only follow the points' scatter."
     )
     return replace(fit, message=f"{said} {fit.message}".strip())
 

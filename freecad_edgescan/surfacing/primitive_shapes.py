@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from ..geometry import BSplineCurve, BSplineSurface, Circle
 from ..geometry.exact_surfaces import circular_arc, revolved_surface
 from ..geometry.frames import orthonormalise
+from ..geometry.plain_number import plain
 
 __all__ = ["Cone", "Cylinder", "FlatPlane", "Primitive", "QuadricGraph", "ShapeKind", "Sphere"]
 
@@ -156,7 +157,7 @@ class Cylinder(Cone):
 
     def said(self) -> str:
         """In words."""
-        return f"A cylinder of radius {self.radius:.5g} mm"
+        return f"A cylinder of radius {plain(self.radius, 5)} mm"
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,7 +193,7 @@ class Sphere:
 
     def said(self) -> str:
         """In words."""
-        return f"A sphere of radius {self.radius:.5g} mm"
+        return f"A sphere of radius {plain(self.radius, 5)} mm"
 
 
 @dataclass(frozen=True, eq=False)

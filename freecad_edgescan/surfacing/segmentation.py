@@ -17,6 +17,7 @@ from ..cloud import PointCloud
 from ..cloud.local_normals import local_normals
 from ..cloud.progress import Progress, Stage
 from ..geometry import BSplineSurface
+from ..geometry.plain_number import plain
 
 __all__ = ["segment_cloud"]
 
@@ -70,7 +71,7 @@ def segment_cloud(
         nearest = float(base.closest(cloud.points[:: max(1, len(cloud) // 2000)])[2].min())
         raise ValueError(
             f"No point of the cloud is within {distance:g} mm of the base surface; the nearest is "
-            f"about {nearest:.3g} mm away. Check the base surface, or give a larger distance."
+            f"about {plain(nearest, 3)} mm away. Check the base surface, or give a larger distance."
         )
     if angle is not None and mask.any():
         _unmark_inclined(mask, cloud, base, angle, progress)

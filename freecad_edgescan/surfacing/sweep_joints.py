@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ..geometry import BSplineCurve
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from .rail_frame import OneRailFrame
 
 __all__ = ["cut_to_profiles", "distances_beside", "in_order", "refuse_crossing"]
@@ -83,7 +84,9 @@ def cut_to_profiles(
         if over.any() and first < last:
             kept = rail.restricted(float(first), float(last))
             off_it = rail.length() - kept.length()
-            said.append(f"Rail {number + 1} was cut by {off_it:.3g} mm to end at the profiles.")
+            said.append(
+                f"Rail {number + 1} was cut by {plain(off_it, 3)} mm to end at the profiles."
+            )
             rail = kept.over_range(0.0, 1.0)
         cut.append(rail)
     return tuple(cut), tuple(said)

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..cloud.progress import Stage
 from ..geometry import BSplineSurface
+from ..geometry.plain_number import plain
 from .blend_fit import BlendFit
 from .even_error_knots import even_error_knots
 from .fit_result import SurfaceFit, said_of_outside, signed_deviation
@@ -142,8 +143,8 @@ def compare_sweep_models(
     pairs = sorted(fits.items(), key=lambda pair: pair[1].rms)
     (better, first), (other, second) = pairs
     said = (
-        f"The {better} model explains the points better: {first.average:.3g} mm on average, "
-        f"against {second.average:.3g} mm of the {other} model."
+        f"The {better} model explains the points better: {plain(first.average, 3)} mm on average, "
+        f"against {plain(second.average, 3)} mm of the {other} model."
     )
     return {better: replace(first, message=f"{said} {first.message}".strip()), other: second}
 

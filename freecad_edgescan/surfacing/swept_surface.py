@@ -21,6 +21,7 @@ from scipy.interpolate import CubicSpline
 from ..geometry import BSplineCurve, BSplineSurface, compatible_curves
 from ..geometry.knot_vectors import clamped_knots, merged_knots
 from ..geometry.place_text import place_text
+from ..geometry.plain_number import plain
 from ..geometry.surface_approximation import approximated_surface
 from .rail_frame import OneRailFrame, two_rail_frame
 from .rail_pairing import RailPairing
@@ -181,7 +182,7 @@ class SweptSurface:
         gaps = np.linalg.norm(self._corners(), axis=2)
         if gaps.max() > self.largest_gap:
             listed = "; ".join(
-                f"profile {k + 1}: {start:.3g} and {end:.3g} mm"
+                f"profile {k + 1}: {start:.3g} and {plain(end, 3)} mm"
                 for k, (start, end) in enumerate(gaps)
             )
             way = "Let the curves meet"

@@ -52,10 +52,50 @@ def test_a_cloud_in_another_unit_is_read_in_mm(
     assert said.err == ""
 
 
+@pytest.mark.parametrize("unit", ["m", "inch"])
+def test_a_place_in_the_unit_of_the_file_is_told_to_be_in_mm(
+    capsys, tmp_path: Path, unit: str
+) -> None:
+    file = tmp_path / "far.xyz"
+    np.savetxt(file, roof() / 1000 + [500.0, 4000.0, 0.1])
+    for command in ("scan", "recommend"):
+        assert main([command, str(file), "--at", "500,4000,0.1", "--unit", unit]) == 2
+        assert "--at are in mm, whatever the --unit" in capsys.readouterr().err
+    # Beside the cloud, but not as far as another unit puts it.
+    assert main(["scan", str(file), "--at", "500000,4000030,100", "--unit", "m"]) == 2
+    assert "whatever" not in capsys.readouterr().err
+
+
+def test_places_far_from_the_origin_are_plain_decimals(capsys, tmp_path: Path) -> None:
+    file = tmp_path / "far.xyz"
+    np.savetxt(file, np.add(roof(), [500000.0, 4000000.0, 100.0]), fmt="%.4f")
+    assert main(["info", str(file)]) == 0
+    said = capsys.readouterr().out
+    assert "e+" not in said
+    low, high = (float(said.splitlines()[3].split()[column]) for column in (1, 3))
+    assert 4000000.0 + roof()[:, 1].min() == pytest.approx(low, abs=0.01)
+    assert 4000000.0 + roof()[:, 1].max() == pytest.approx(high, abs=0.01)
+    assert main(["scan", str(file), "--at", "0,0,0"]) == 2
+    told = capsys.readouterr().err
+    assert "e+" not in told
+    assert "(4999" in told.split("reaches from ")[1]
+
+
 def test_a_cloud_that_looks_like_metres_is_remarked_on(capsys, tmp_path: Path) -> None:
     np.savetxt(tmp_path / "roof.xyz", roof() / 1000)
     assert main(["info", str(tmp_path / "roof.xyz")]) == 0
     assert "--unit m" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["info", "scan --at 0,0,0", "find"])
+def test_of_three_points_it_is_said_that_they_are_few_and_not_that_they_are_small(
+    capsys, tmp_path: Path, command: str
+) -> None:
+    np.savetxt(tmp_path / "three.xyz", roof()[:3] / 1000)
+    assert main([*command.split(), str(tmp_path / "three.xyz")]) == 2
+    said = capsys.readouterr().err
+    assert "holds 3 points" in said
+    assert "metres" not in said
 
 
 def test_only_a_region_of_the_cloud_is_read(capsys, roof_file: Path) -> None:

@@ -58,7 +58,7 @@ def test_the_ridge_and_both_verges_have_a_table_each(capsys, tmp_path: Path, sca
 def test_a_place_off_the_cloud_is_told(capsys, scan) -> None:
     assert main([*scan, "--at", "0,0,0", "--inside", "0,400,-4"]) == 2
     said = capsys.readouterr().err
-    assert "(0.0, 400.0, -4.0)" in said
+    assert "(0, 400, -4)" in said
     assert "Traceback" not in said
 
 

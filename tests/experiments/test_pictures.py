@@ -10,7 +10,13 @@ import numpy as np
 import pytest
 
 from freecad_edgescan.cloud import CoreBox, PointCloud
-from freecad_edgescan.experiments import draw_cloud, draw_edges, draw_errors, draw_section
+from freecad_edgescan.experiments import (
+    cloud_picture,
+    draw_cloud,
+    draw_edges,
+    draw_errors,
+    draw_section,
+)
 from freecad_edgescan.experiments.cloud_picture import _VIEWS
 from freecad_edgescan.experiments.error_picture import signed_errors
 from freecad_edgescan.experiments.honesty import mahalanobis, median_and_95
@@ -104,3 +110,23 @@ def test_a_cloud_of_any_shape_far_from_the_origin_is_drawn(tmp_path: Path, scale
     points = np.random.default_rng(2).uniform(0, 10, (2000, 3)) * scale + 1e6
     draw_cloud(PointCloud(points), tmp_path / "cloud.png")
     assert (tmp_path / "cloud.png").stat().st_size > 5000
+
+
+@pytest.mark.parametrize("size", [(40, 25, 10), (10, 10, 10), (60, 10, 2), (10, 60, 30)])
+def test_words_of_a_clouds_picture_stand_clear_of_others(monkeypatch, tmp_path: Path, size) -> None:
+    pytest.importorskip("matplotlib")
+    drawn = []
+    monkeypatch.setattr(cloud_picture, "save_figure", lambda figure, path: drawn.append(figure))
+    rng = np.random.default_rng(3)
+    points = rng.uniform(0, 1, (12000, 3))
+    axis = rng.integers(0, 3, len(points))
+    points[np.arange(len(points)), axis] = rng.integers(0, 2, len(points))
+    draw_cloud(PointCloud(points * size), tmp_path / "cloud.png")
+    drawn[0].savefig(tmp_path / "cloud.png", bbox_inches="tight")
+    words = [
+        text.get_window_extent().padded(4.0)  # pixels
+        for axes in drawn[0].axes
+        for text in (axes.title, axes.xaxis.label)
+    ]
+    for k, one in enumerate(words):
+        assert not one.count_overlaps(words[:k])

@@ -222,3 +222,58 @@ def test_sides_lead_away_from_the_edge():
         alike = sides @ np.array(expected).T
         assert alike.max(axis=1) == pytest.approx(1.0, abs=0.01)
         assert set(alike.argmax(axis=1)) == {0, 1}
+
+
+@pytest.mark.parametrize("inside", [(10, 8, 0), (10, 16, 6), (3, 8, 0), (0, 8, 6), (10, 1, 0)])
+def test_a_place_on_a_face_that_the_edge_does_not_bound_is_refused(inside):
+    """Not taken for one on the face that lies more in its direction."""
+    with pytest.raises(ScanError, match="does not bound; give a place on one of the two faces"):
+        scan_boundary(box(3), place(3, 10, 0, 12), place(3, *inside))
+
+
+def plate(thickness, hole=None):
+    """A plate of 40 by 24 mm, its top in z = 0; of its top a strip of some width may lack, mm."""
+    rng = np.random.default_rng(8)
+    parts = []
+    for z in (0.0, -thickness):
+        at = grid(rng, 40.0, 24.0)
+        if hole is not None and z == 0.0:
+            at = at[np.abs(at[:, 1] - 8.0) > 0.5 * hole]
+        parts.append(np.column_stack([at, np.full(len(at), z)]))
+    for y in (0.0, 24.0):
+        at = grid(rng, 40.0, thickness)
+        parts.append(np.column_stack([at[:, 0], np.full(len(at), y), -at[:, 1]]))
+    for x in (0.0, 40.0):
+        at = grid(rng, 24.0, thickness)
+        parts.append(np.column_stack([np.full(len(at), x), at[:, 0], -at[:, 1]]))
+    points = np.vstack(parts)
+    return PointCloud(points + NOISE * rng.normal(size=points.shape))
+
+
+@pytest.mark.parametrize("inside", [(20, 12, -2), (20, 2, -2), (20, 22, -2)])
+def test_a_place_on_the_other_side_of_a_thin_plate_is_refused(inside):
+    with pytest.raises(ScanError, match="does not bound"):
+        scan_boundary(plate(2.0), (20, 0, 0), inside)
+
+
+def test_a_place_beyond_a_gap_in_the_face_is_on_it():
+    edges = scan_boundary(plate(4.0, hole=5.0), (20, 0, 0), (20, 16, 0))
+    assert np.abs(np.vstack([edge.points for edge in edges])[:, 2]).max() < 0.1
+
+
+@pytest.mark.parametrize("share", [0.3, 0.6, 0.95])
+def test_a_place_anywhere_on_a_bent_face_is_on_it(share):
+    """Half a cylinder on a plane: at its far edge it has turned by 180 degrees."""
+    rng = np.random.default_rng(9)
+    round_, flat = grid(rng, 40.0, 12.0 * np.pi), grid(rng, 40.0, 24.0)
+    turn = round_[:, 1] / 12.0
+    points = np.vstack(
+        [
+            np.column_stack([round_[:, 0], -12.0 * np.cos(turn), 12.0 * np.sin(turn)]),
+            np.column_stack([flat[:, 0], flat[:, 1] - 12.0, np.zeros(len(flat))]),
+        ]
+    )
+    cloud = PointCloud(points + NOISE * rng.normal(size=points.shape))
+    at = np.pi * share
+    edges = scan_boundary(cloud, (20, -12, 0), (20, -12 * np.cos(at), 12 * np.sin(at)))
+    assert len(edges) == 1

@@ -58,6 +58,25 @@ def test_a_face_that_goes_on_is_told():
     assert any("goes on beyond" in text for text in told)
 
 
+def burred() -> np.ndarray:
+    """A right angle with its edge on the x axis, and a burr of 0.3 mm along one of its sides."""
+    rng = np.random.default_rng(6)
+    cell = np.indices((125, 60)).reshape(2, -1).T + 0.5
+    x, s = (0.4 * (cell + rng.uniform(-0.35, 0.35, cell.shape))).T - np.array([[0.0], [12.0]])
+    up = 0.3 * np.exp(-((s / 0.8) ** 2)) * (s > 0.0)
+    points = np.column_stack([x, (s + up) / np.sqrt(2.0), (up - np.abs(s)) / np.sqrt(2.0)])
+    return points + rng.normal(scale=0.02, size=points.shape)
+
+
+def test_a_burr_is_named_and_what_is_advised_helps():
+    points = burred()
+    with pytest.raises(ScanError, match="a burr or a bead stands along the edge: take its points"):
+        scan_edge(PointCloud(points), at=(25.0, 0.0, -0.3))
+    off = (points[:, 1] < 0.0) | (np.hypot(points[:, 1], points[:, 2]) > 1.6)
+    edge = scan_edge(PointCloud(points[off]), at=(25.0, 0.0, -0.3))
+    assert np.hypot(edge.points[:, 1], edge.points[:, 2]).max() < 0.05
+
+
 @pytest.mark.parametrize("seed", [1, 2, 3])
 @pytest.mark.parametrize("thickness", [2.0, 2.7])
 def test_a_click_on_a_thin_wall_finds_no_edge_behind_it(thickness, seed):

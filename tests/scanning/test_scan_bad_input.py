@@ -225,3 +225,18 @@ def test_a_surface_that_is_there_twice_is_said():
     twice = np.vstack([once, once - [0, 1, 1]]) + rng.normal(0, 0.05, (4 * count, 3))
     assert "there twice" in scan_edge(PointCloud(twice), (30, 0, 0)).message
     assert "there twice" not in scan_edge(PointCloud(twice[: 2 * count]), (30, 0, 0)).message
+
+
+@pytest.mark.parametrize(
+    ("at", "ends"),
+    [((11.0, 16.0, 0.0), True), ((16.0, 0.3, 0.0), True), ((26.0, 26.0, 0.0), False)],
+    ids=["hole", "rim", "middle"],
+)
+def test_at_the_border_of_the_cloud_a_missing_side_is_named(at, ends):
+    """A plane with a hole in it, without the wall of the hole."""
+    rng = np.random.default_rng(3)
+    x, y = 0.4 * (np.indices((80, 80)).reshape(2, -1) + rng.uniform(0.15, 0.85, (2, 6400)))
+    plane = np.column_stack([x, y, rng.normal(scale=0.02, size=len(x))])
+    said = refusal(PointCloud(plane[np.hypot(x - 16.0, y - 16.0) > 5.0]), at=at)
+    assert "is smooth for" in said
+    assert ("an edge needs both of its sides in the cloud" in said) == ends

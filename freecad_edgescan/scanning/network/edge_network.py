@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ...cloud.point_cloud import PointCloud
+from ...geometry.plain_number import plain
 from ..report import describe
 from ..scanned_edge import ScannedEdge, Vertex
 from ..stop import Stop
@@ -55,7 +56,7 @@ class EdgeNetwork:
 
     def __repr__(self) -> str:
         return (
-            f"EdgeNetwork({len(self.edges)} edges, {self.length:.6g} mm, "
+            f"EdgeNetwork({len(self.edges)} edges, {plain(self.length, 6)} mm, "
             f"{len(self.corners)} corners)"
         )
 

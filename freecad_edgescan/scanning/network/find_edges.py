@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from ...cloud.point_cloud import PointCloud, require_surface
 from ...cloud.region import cropped
+from ...geometry.plain_number import plain
 from ..automatic import MIN_ANGLE, Chosen, choose_parameters
 from ..errors import ScanError
 from ..least_angle import check_least_angle
@@ -150,9 +151,10 @@ def _scattered(cloud: PointCloud) -> bool:
 
 def _no_surface(cloud: PointCloud) -> str:
     return (
-        f"No edge was looked for: the points scatter by {cloud.noise:.3g} mm about their surface "
-        f"and are {cloud.pitch:.3g} mm apart, so that no surface can be told from noise. If two "
-        "scans were merged, align them first; else thin the cloud to a pitch of twice its noise."
+        f"No edge was looked for: the points scatter by {plain(cloud.noise, 3)} mm about their "
+        f"surface and are {plain(cloud.pitch, 3)} mm apart, so that no surface can be told from "
+        "noise. If two scans were merged, align them first; else thin the cloud to a pitch of "
+        "twice its noise."
     )
 
 
@@ -181,8 +183,8 @@ def _message(
     if not edges and too_short:
         return (
             f"No edge is long enough: {_counted(too_short)} {_were(too_short)} found, the longest "
-            f"of {max(too_short):.4g} mm, and the least length is {round(shortest, 3):g} mm. Give "
-            "a smaller one."
+            f"of {plain(max(too_short), 4)} mm, and the least length is {round(shortest, 3):g} mm. "
+            "Give a smaller one."
         )
     if not edges:
         return (
@@ -191,7 +193,7 @@ def _message(
             f"{round(shortest, 3):g} mm."
         )
     length = sum(edge.length for edge in edges)
-    return f"{_counted(edges)} of {length:.4g} mm in all {_were(edges)} found."
+    return f"{_counted(edges)} of {plain(length, 4)} mm in all {_were(edges)} found."
 
 
 def _counted(edges: list[ScannedEdge] | list[float]) -> str:

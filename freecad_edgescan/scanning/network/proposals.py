@@ -16,6 +16,7 @@ from scipy.spatial import cKDTree
 
 from ...cloud.cubes import one_of_each_cube
 from ...cloud.point_cloud import PointCloud
+from ..positive_definite import inverses
 from ..section import Frames, frames_from_sides
 from .nodes import Nodes, spread_nodes
 from .pieces import in_pieces
@@ -128,7 +129,7 @@ def _left_over(offsets: np.ndarray, weight: np.ndarray, axes: np.ndarray) -> np.
     terms = np.stack([np.ones_like(a), a, b, a * a, a * b, b * b], axis=2)
     weighted = (terms * weight[..., None]).transpose(0, 2, 1)
     matrix = weighted @ terms + 1e-6 * np.eye(6)
-    c = np.linalg.solve(matrix, weighted @ h[..., None])
+    c = inverses(matrix) @ (weighted @ h[..., None])
     off = h - (terms @ c)[..., 0]
     free = np.maximum(weight.sum(axis=1) - 6.0, 1.0)
     few = weight.sum(axis=1) <= 7.0
