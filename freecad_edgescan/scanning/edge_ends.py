@@ -95,9 +95,13 @@ def led_to_vertex(
     while kept > _FEWEST and ahead[kept - 1] < _SHORT * pitch:
         kept -= 1
     stations, last = stations[:kept], stations[kept - 1]
-    if ahead[kept - 1] <= _NEAR * pitch:
+    # Where this edge is rounded, so may be those that it meets, and leave nothing of a side. Sharp
+    # ones' sides seem to begin a fraction of a pitch away, too.
+    rounded = float(end.clear.max())
+    left = ahead[kept - 1] - (rounded if rounded > pitch else 0.0)
+    if left <= _NEAR * pitch:
         return stations
-    step = ahead[kept - 1] - _SHORT * pitch
+    step = left - _SHORT * pitch
     # It has not been measured: its neighbours know better where the edge runs.
     onward = replace(last, frame=predict(last.frame, step), sigma=3.0 * last.sigma, step=step)
     return [*stations, onward]
