@@ -79,7 +79,7 @@ def led_to_vertex(
         points=np.array([station.frame.origin[0] for station in few]),
         covariance=np.array([station.sigma**2 * np.eye(3) for station in few]),
         frame=_agreed(few[-_FEWEST:]),
-        clear=np.median([station.begins for station in few], axis=0),
+        clear=_rounded(np.array([station.begins for station in few])),
         overlap=1.0,
         noise=settings.noise,
     )
@@ -133,6 +133,14 @@ def _steadied(stations: list[Station]) -> list[Station]:
     bend = stations[known].frame.bend
     ended = [replace(each, frame=replace(each.frame, bend=bend)) for each in stations[known + 1 :]]
     return [*stations[: known + 1], *ended]
+
+
+def _rounded(begins: np.ndarray) -> np.ndarray:
+    """How far a rounding reaches on both sides, (2,) mm; sides of some sections begin at (k, 2).
+
+    A rounding takes as much of both; one side of a sharp edge may begin far off by chance.
+    """
+    return np.full(2, np.median(begins, axis=0).min())
 
 
 def _gap(one: Station, other: Station) -> float:
@@ -189,7 +197,7 @@ def _end_of(measured: Measured, k: int, settings: PatchSettings) -> EdgeEnd:
         points=seen.point[order],
         covariance=covariance,
         frame=_standing(measured, order, seen.point[order[-1]], seen.sides[order[-1]], k),
-        clear=np.median(measured.fits.begins[order], axis=0),
+        clear=_rounded(measured.fits.begins[order]),
         overlap=max(1.0, 2.0 * settings.half_width / spacing),
         noise=float(np.median(measured.noise[order])),
     )

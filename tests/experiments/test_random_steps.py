@@ -11,7 +11,7 @@ from freecad_edgescan.experiments.wedge_search import judge, search
 
 
 def test_no_step_is_found_somewhere_else() -> None:
-    found = search(40, "steps", first=1000, jobs=1)
+    found = search(24, "steps", first=1000, jobs=1)
     assert not any(judged.elsewhere for judged in found)
     assert sum(judged.refused for judged in found) < 0.3 * len(found)
     distances = np.concatenate([judged.distances for judged in found])

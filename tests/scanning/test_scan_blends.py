@@ -46,7 +46,7 @@ def blended(a: float, b: float, power: float, seed: int) -> PointCloud:
 )
 def test_a_blend_is_no_part_of_the_sides(a, b, power):
     """Fitted as circles these were 0.1 to 1.4 mm off, at a stated 0.01 to 0.1 mm."""
-    for seed in range(3):
+    for seed in range(2):
         edge = scan_edge(blended(a, b, power, seed), at=(25.0, 0.3 * b, 0.3 * min(a, b)))
         error = np.linalg.norm(edge.points[:, 1:], axis=1)
         # Where ten pitches are worn off a side, an edge may be lost on the way, and says so.
