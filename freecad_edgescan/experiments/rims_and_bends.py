@@ -161,7 +161,7 @@ def exact_edge_table(edges: Sequence[ExactEdge]) -> str:
             f"   {each.maximum:.4f}   {each.sigma:.4f}"
             f"{_known(each.bias, 4):>9}{_known(each.radius, 2):>8}"
         )
-    return "\n".join(lines)
+    return "\n".join(line.rstrip() for line in lines)
 
 
 def _known(value: float, digits: int) -> str:
