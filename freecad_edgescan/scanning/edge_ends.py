@@ -79,7 +79,7 @@ def led_to_vertex(
         points=np.array([station.frame.origin[0] for station in few]),
         covariance=np.array([station.sigma**2 * np.eye(3) for station in few]),
         frame=_agreed(few[-_FEWEST:]),
-        clear=_rounded(np.array([station.begins for station in few])),
+        clear=np.median([station.begins for station in few], axis=0),
         overlap=1.0,
         noise=settings.noise,
     )
