@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -12,31 +11,22 @@ from freecad_edgescan.cloud.region import Region
 from freecad_edgescan.geometry.place_text import place_text
 from freecad_edgescan.scanning import ScannedEdge, Stop
 
-__all__ = ["cut_by_region", "told_of_region"]
+__all__ = ["cut_by_region", "outside_region"]
 
 _NO_MORE_POINTS = (Stop.CLOUD_END, Stop.OFF_OBJECT)
 
 Corners = Sequence[Sequence[float]]
 
 
-@contextmanager
-def told_of_region(place: Sequence[float] | np.ndarray, corners: Corners | None) -> Iterator[None]:
-    """Add to what is refused at a place (3,), mm, that it lies outside the box that was read.
-
-    Raises
-    ------
-    ValueError: in place of the one that is raised within.
-    """
-    try:
-        yield
-    except ValueError as error:
-        if corners is None or Region.of(corners).holds(np.atleast_2d(place)).all():
-            raise
-        low, high = (place_text(corner) for corner in corners)
-        raise ValueError(
-            f"{error} The place lies outside the --region ({low}) to ({high}), of which alone "
-            "points were read; give one that holds it."
-        ) from error
+def outside_region(place: Sequence[float] | np.ndarray, corners: Corners | None) -> str:
+    """A sentence about a place (3,), mm, outside the box that was read; "" about others."""
+    if corners is None or Region.of(corners).holds(np.atleast_2d(place)).all():
+        return ""
+    low, high = (place_text(corner) for corner in corners)
+    return (
+        f"The place lies outside the --region ({low}) to ({high}), of which alone points were "
+        "read; give one that holds it."
+    )
 
 
 def cut_by_region(edges: dict[int, ScannedEdge], corners: Corners | None) -> str:

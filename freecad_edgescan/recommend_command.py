@@ -6,10 +6,11 @@ from __future__ import annotations
 import argparse
 
 from freecad_edgescan.cloud_file import cloud_of
-from freecad_edgescan.cut_by_region import told_of_region
+from freecad_edgescan.cut_by_region import outside_region
+from freecad_edgescan.place_in_unit import place_in_unit
 from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import ScanError, ScanParameters, recommend_parameters
-from freecad_edgescan.told_of_unit import told_of_unit
+from freecad_edgescan.told_besides import told_besides
 
 __all__ = ["recommend_for_file"]
 
@@ -25,7 +26,9 @@ def recommend_for_file(options: argparse.Namespace) -> int:
     cloud = cloud_of(options)
     texts = []
     for at in options.at:
-        with told_of_region(at, options.region), told_of_unit(at, cloud, options.unit):
+        with told_besides(
+            outside_region(at, options.region), place_in_unit(at, cloud, options.unit)
+        ):
             texts.append(recommend_parameters(cloud, at, parameters, options.method).text())
     print("\n\n".join(texts))
     return 0

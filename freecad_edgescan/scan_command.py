@@ -10,9 +10,10 @@ from typing import Any
 
 from freecad_edgescan.cloud import PointCloud
 from freecad_edgescan.cloud_file import cloud_of
-from freecad_edgescan.cut_by_region import cut_by_region, told_of_region
+from freecad_edgescan.cut_by_region import cut_by_region, outside_region
 from freecad_edgescan.edge_table import edge_table
 from freecad_edgescan.output_files import PICTURES, check_not_the_scan, check_output
+from freecad_edgescan.place_in_unit import place_in_unit
 from freecad_edgescan.scan_options import given_parameters
 from freecad_edgescan.scanning import (
     Gate,
@@ -23,7 +24,7 @@ from freecad_edgescan.scanning import (
     scan_edge,
 )
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code, tell
-from freecad_edgescan.told_of_unit import told_of_unit
+from freecad_edgescan.told_besides import told_besides
 
 __all__ = ["scan_file"]
 
@@ -167,9 +168,9 @@ def _scan_targets(
         with TerminalProgress(f"edge {number} of {len(targets)}") as progress:
             try:
                 place = getattr(at, "point", at)
-                with (
-                    told_of_region(place, options.region),
-                    told_of_unit(place, cloud, options.unit),
+                with told_besides(
+                    outside_region(place, options.region),
+                    place_in_unit(place, cloud, options.unit),
                 ):
                     edges[number] = scan_edge(
                         cloud, at, gate, parameters, options.method, progress=progress
@@ -188,7 +189,9 @@ def _scan_boundary(
     """Edges round a face by their number, and the exit code."""
     with TerminalProgress("edges round the face") as progress:
         try:
-            with told_of_region(at, options.region), told_of_unit(at, cloud, options.unit):
+            with told_besides(
+                outside_region(at, options.region), place_in_unit(at, cloud, options.unit)
+            ):
                 found = scan_boundary(cloud, at, options.inside, parameters, progress=progress)
         except ValueError as error:
             progress.clear()

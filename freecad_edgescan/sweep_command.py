@@ -11,10 +11,11 @@ import numpy as np
 
 from freecad_edgescan.cloud import PointCloud, compensate_cloud
 from freecad_edgescan.cloud_file import cloud_of
-from freecad_edgescan.cut_by_region import told_of_region
+from freecad_edgescan.cut_by_region import outside_region
 from freecad_edgescan.edge_table import edge_table
 from freecad_edgescan.geometry import BSplineCurve, BSplineSurface
 from freecad_edgescan.output_files import PICTURES, check_output
+from freecad_edgescan.place_in_unit import place_in_unit
 from freecad_edgescan.scanning import scan_edge
 from freecad_edgescan.surfacing import (
     Deviation,
@@ -28,6 +29,7 @@ from freecad_edgescan.surfacing import (
 )
 from freecad_edgescan.surfacing.compensated_segment import compensated_segment
 from freecad_edgescan.terminal_progress import TerminalProgress, exit_code
+from freecad_edgescan.told_besides import told_besides
 
 __all__ = ["sweep_file"]
 
@@ -42,7 +44,9 @@ def sweep_file(options: argparse.Namespace) -> int:
         clicks = [*options.rail, *options.profile]
         edges = {}
         for number, at in enumerate(clicks, 1):
-            with told_of_region(at, options.region):
+            with told_besides(
+                outside_region(at, options.region), place_in_unit(at, cloud, options.unit)
+            ):
                 edges[number] = scan_edge(cloud, at, progress=progress)
         if progress.cancelled:
             return exit_code(progress, found=False)

@@ -182,7 +182,7 @@ class SweptSurface:
         gaps = np.linalg.norm(self._corners(), axis=2)
         if gaps.max() > self.largest_gap:
             listed = "; ".join(
-                f"profile {k + 1}: {start:.3g} and {plain(end, 3)} mm"
+                f"profile {k + 1}: {plain(start, 3)} and {plain(end, 3)} mm"
                 for k, (start, end) in enumerate(gaps)
             )
             way = "Let the curves meet"

@@ -58,9 +58,14 @@ def test_a_place_in_the_unit_of_the_file_is_told_to_be_in_mm(
 ) -> None:
     file = tmp_path / "far.xyz"
     np.savetxt(file, roof() / 1000 + [500.0, 4000.0, 0.1])
-    for command in ("scan", "recommend"):
-        assert main([command, str(file), "--at", "500,4000,0.1", "--unit", unit]) == 2
-        assert "--at are in mm, whatever the --unit" in capsys.readouterr().err
+    here = "500,4000,0.1"
+    for command, *words in (
+        ("scan", "--at", here),
+        ("recommend", "--at", here),
+        ("sweep", "--rail", here, "--profile", here),
+    ):
+        assert main([command, str(file), *words, "--unit", unit]) == 2
+        assert "Places are given in mm, whatever the --unit" in capsys.readouterr().err
     # Beside the cloud, but not as far as another unit puts it.
     assert main(["scan", str(file), "--at", "500000,4000030,100", "--unit", "m"]) == 2
     assert "whatever" not in capsys.readouterr().err
