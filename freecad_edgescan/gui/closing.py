@@ -12,6 +12,7 @@ from typing import Any
 import FreeCADGui
 
 from .qt import QtCore, QtWidgets
+from .single_shot import call_later
 
 __all__ = ["ClosingWatch"]
 
@@ -48,7 +49,7 @@ class ClosingWatch(QtCore.QObject):
         """Qt asks this about every event; none is held back."""
         if event.type() == QtCore.QEvent.Close and self._closed is not None:
             # The window has yet to say whether it really closes.
-            QtCore.QTimer.singleShot(0, self._tell)
+            call_later(self._tell)
         return False
 
     def _tell(self) -> None:

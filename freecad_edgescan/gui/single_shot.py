@@ -1,5 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A timer that, once started, calls back once."""
+"""Timers that, once started, call back once.
+
+They are made in Python. ``QTimer.singleShot`` makes its timer in C++ and looks for what Python
+knows at its address: PySide finds what it remembers of a widget that FreeCAD had there and has
+deleted, takes that for the timer, and once in a great while FreeCAD crashes.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +12,7 @@ from typing import Any
 
 from .qt import QtCore
 
-__all__ = ["single_shot"]
+__all__ = ["call_later", "single_shot"]
 
 
 def single_shot(parent: Any, milliseconds: int, answer: Any) -> Any:
@@ -24,3 +29,16 @@ def single_shot(parent: Any, milliseconds: int, answer: Any) -> Any:
     timer.setInterval(milliseconds)
     timer.timeout.connect(answer)
     return timer
+
+
+def call_later(answer: Any, milliseconds: int = 0) -> None:
+    """Call back once; with 0 ms, when the window has handled what has come in already.
+
+    Parameters
+    ----------
+    answer : called without arguments
+    milliseconds : until then
+    """
+    timer = single_shot(QtCore.QCoreApplication.instance(), milliseconds, answer)
+    timer.timeout.connect(timer.deleteLater)
+    timer.start()

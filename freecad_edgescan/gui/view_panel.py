@@ -16,7 +16,7 @@ from .background import Background
 from .closing import ClosingWatch
 from .document_watch import DocumentWatch
 from .qt import QtCore, QtWidgets, as_int
-from .single_shot import single_shot
+from .single_shot import call_later, single_shot
 from .translation import translate
 from .view_clicks import is_open
 
@@ -155,7 +155,7 @@ class ViewPanel(QtCore.QObject):
         """The document is being closed under the panel."""
         if self._open:
             self.let_go(restore=False)
-            QtCore.QTimer.singleShot(0, FreeCADGui.Control.closeDialog)
+            call_later(FreeCADGui.Control.closeDialog)
 
     def _asked(self) -> str:
         """What asks for clicks, with what the navigation style wants for them."""

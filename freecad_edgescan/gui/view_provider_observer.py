@@ -83,14 +83,14 @@ def _dress_all(doc: Any) -> None:
 
 def _fit_soon(name: str) -> None:
     """Fit the view of a document when it is open; FreeCAD makes it after the objects."""
-    from .qt import QtCore
     from .shown import fit_view
+    from .single_shot import call_later
 
     def fit() -> None:
         if name in FreeCAD.listDocuments():
             fit_view(FreeCAD.getDocument(name))
 
-    QtCore.QTimer.singleShot(0, fit)
+    call_later(fit)
 
 
 def _is_bare(item: Any) -> bool:

@@ -21,6 +21,7 @@ try:
 
     Gui.getMainWindow()
     from freecad_edgescan.gui.qt import QtCore, QtGui, QtWidgets
+    from freecad_edgescan.gui.single_shot import call_later
 except (ImportError, AttributeError):  # no FreeCAD window
     collect_ignore_glob = ["test_*.py", "all_edges"]
 
@@ -102,7 +103,7 @@ class Window:
         """Let the window handle what has come in, and what follows from that at once."""
         for _ in range(3):
             handled: list[bool] = []
-            QtCore.QTimer.singleShot(0, lambda seen=handled: seen.append(True))
+            call_later(lambda seen=handled: seen.append(True))
             self.wait_until(lambda seen=handled: bool(seen))
 
     def pass_time(self, seconds: float) -> None:
@@ -168,7 +169,7 @@ class Window:
         while not isinstance(dock, QtWidgets.QDockWidget):
             dock = dock.parentWidget()
         dock.close()
-        QtCore.QTimer.singleShot(500, dock.show)
+        call_later(dock.show, 500)
 
     @property
     def threads(self) -> int:

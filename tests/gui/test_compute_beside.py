@@ -14,7 +14,8 @@ Part = pytest.importorskip("Part")
 
 from freecad_edgescan.gui import busy  # noqa: E402
 from freecad_edgescan.gui.message import CancelledError  # noqa: E402
-from freecad_edgescan.gui.qt import QtCore, QtWidgets  # noqa: E402
+from freecad_edgescan.gui.qt import QtWidgets  # noqa: E402
+from freecad_edgescan.gui.single_shot import call_later  # noqa: E402
 
 
 @pytest.fixture(autouse=True)
@@ -48,7 +49,7 @@ def press_cancel() -> None:
 
 def test_the_result_comes_back_and_the_dialog_goes(window: Any) -> None:
     seen: list[int] = []
-    QtCore.QTimer.singleShot(200, lambda: seen.append(len(dialogs())))
+    call_later(lambda: seen.append(len(dialogs())), 200)
     assert busy.result_of(slow(40, []), "Swept surface") == 40
     window.settle()
     assert seen == [1] and dialogs() == []
@@ -57,7 +58,7 @@ def test_the_result_comes_back_and_the_dialog_goes(window: Any) -> None:
 def test_cancel_ends_the_task_leaves_no_thread_and_raises_nothing_to_say(window: Any) -> None:
     asked: list[float] = []
     threads = window.threads
-    QtCore.QTimer.singleShot(200, press_cancel)
+    call_later(press_cancel, 200)
     with pytest.raises(CancelledError):
         busy.result_of(slow(1000, asked), "Swept surface")
     assert len(asked) < 500
@@ -88,7 +89,7 @@ def test_a_cancelled_command_leaves_no_trace(
     Gui.Selection.clearSelection()
     for item in (cloud, plate):
         Gui.Selection.addSelection(item)
-    QtCore.QTimer.singleShot(200, press_cancel)
+    call_later(press_cancel, 200)
     Gui.runCommand("EdgeScan_CloudSegment")
     assert window.trace() == before
     assert problems == []

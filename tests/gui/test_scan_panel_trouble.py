@@ -15,7 +15,8 @@ Gui = pytest.importorskip("FreeCADGui")
 
 from freecad_edgescan import document  # noqa: E402
 from freecad_edgescan.gui.background import running  # noqa: E402
-from freecad_edgescan.gui.qt import QtCore, QtWidgets  # noqa: E402
+from freecad_edgescan.gui.qt import QtWidgets  # noqa: E402
+from freecad_edgescan.gui.single_shot import call_later  # noqa: E402
 
 from .conftest import roof  # noqa: E402
 from .ways_out import by_cancel, by_escape, by_freecad, by_the_cross  # noqa: E402
@@ -157,7 +158,7 @@ def answer_question(choice: Any, turns: int = 100) -> None:
     if question is not None:
         question.button(choice).click()
     elif turns:
-        QtCore.QTimer.singleShot(100, lambda: answer_question(choice, turns - 1))
+        call_later(lambda: answer_question(choice, turns - 1), 100)
 
 
 def test_looking_at_an_edge_does_not_change_the_document(window: Any, tmp_path: Path) -> None:
