@@ -124,7 +124,7 @@ def measure_site(
         frame,
         2.0 * (room - _MARGIN * pitch - around.cut_off) + around.rounding,
         around,
-        float(np.median(np.sqrt(np.trace(edge.covariance, axis1=1, axis2=2)))),
+        float(np.median(np.sqrt(np.trace(edge.covariance, axis1=1, axis2=2)))) / edge.reserve,
         first_of_several(pitch, cloud.pitch)[0] * cloud.noise,
         outward / np.linalg.norm(outward),
     )

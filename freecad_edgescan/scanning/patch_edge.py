@@ -26,6 +26,7 @@ from .smoothing import smoothed
 from .stop import GIVEN_ENDS, Stop
 from .trace import Trace
 from .vertex import FoundVertex
+from .whole_edge import reserve
 
 # Times the usual, where an end of an edge is not believed.
 _MOST_SCATTER = 4.5
@@ -89,6 +90,7 @@ def finish_edge(
         (trace.stops[0] not in GIVEN_ENDS, trace.stops[1] not in GIVEN_ENDS),
     )
     standing = frames_from_sides(smooth.point, frames.tangent, edge.sides)
+    larger = reserve(smooth.independent)
     normals = -standing.normals if convex is False else standing.normals
     return ScannedEdge(
         points=smooth.point,
@@ -96,7 +98,7 @@ def finish_edge(
         normals=normals,
         angle=np.pi - standing.turn,
         convex=convex,
-        covariance=turned_covariance(smooth.covariance, frames.normals, normals),
+        covariance=turned_covariance(larger**2 * smooth.covariance, frames.normals, normals),
         fillet_radius=fillet,
         fillet_sigma=sigma,
         supported=measured.supplied & edge.found,
@@ -108,6 +110,7 @@ def finish_edge(
             frames, measured.points, measured.removed, measured.fits, seen.point, smooth.point
         ),
         single=(edge.point, turned_covariance(edge.covariance, frames.normals, normals)),
+        reserve=larger,
         overhang=cloud.tree.query(seen.point)[0],
         vertices=(_stated(vertices[0]), _stated(vertices[1])),
         third_normals=(

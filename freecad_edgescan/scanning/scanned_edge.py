@@ -52,6 +52,8 @@ class ScannedEdge:
     third_normals : at start and end, the unit normal there of the third surface, or None
     single : points (m, 3) and covariance (m, 2, 2) of the sections by themselves, before they were
         smoothed along the edge; curves are fitted to these. None where nothing was smoothed
+    reserve : factor in the covariance's standard deviations, above 1 where all points of a short
+        edge err together (`whole_edge`); those of ``unsmoothed`` have none
     parameters : the parameters with every automatic value filled in
     reasons : why each automatic value was chosen, by parameter name
     scan_lines : what was touched, for pictures
@@ -76,6 +78,7 @@ class ScannedEdge:
     vertices: tuple[Vertex | None, Vertex | None] = (None, None)
     third_normals: tuple[np.ndarray | None, np.ndarray | None] = (None, None)
     single: tuple[np.ndarray, np.ndarray] | None = None
+    reserve: float = 1.0
     parameters: ScanParameters = field(default_factory=ScanParameters)
     reasons: Mapping[str, str] = field(default_factory=dict)
     method: str = "patch"
@@ -114,7 +117,7 @@ class ScannedEdge:
         if self.single is None:
             return self
         points, covariance = self.single
-        return replace(self, points=points, covariance=covariance, single=None)
+        return replace(self, points=points, covariance=covariance, single=None, reserve=1.0)
 
     @cached_property
     def sides(self) -> np.ndarray:

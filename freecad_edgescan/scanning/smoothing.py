@@ -45,10 +45,12 @@ class Smoothed:
     ----------
     point : (m, 3) array, mm
     covariance : (m, 2, 2) mm², in the axes of `across_axes` of the frames
+    independent : number of independent errors in all of them, 1 or more
     """
 
     point: np.ndarray
     covariance: np.ndarray
+    independent: float
 
 
 def smoothed(
@@ -70,14 +72,15 @@ def smoothed(
     straight : whether all of them are known to lie on one straight line
     ending : whether the edge ends there, at its start and end, rather than having been left
     """
-    raw = Smoothed(edge.point, edge.covariance)
+    slabs = _independent_slabs(measured)
+    raw = Smoothed(edge.point, edge.covariance, max(1.0, float(slabs.sum())))
     near = _Neighbours.around(measured, edge, _FARTHEST * cloud_pitch, closed, straight)
     if near is None:
         return raw
     degree = 1 if straight else 2
     trusted = near.inside & ~_astray(near, degree, ending, closed)
     values, covariances = [np.zeros_like(near.off[:, 0])], [edge.covariance]
-    means = [near.mean(near.own())]
+    means, shares = [near.mean(near.own())], [np.ones(len(edge.point))]
     taken = np.zeros(len(edge.point), dtype=np.int64)
     alone = ~trusted[:, near.reach]  # what such a section says itself is no evidence
     good = [~alone]
@@ -98,14 +101,27 @@ def smoothed(
         values.append(value)
         covariances.append(covariance)
         means.append(mean)
+        shares.append(weight[:, near.reach])
         good.append(agrees)
         taken[better] = len(values) - 1
     rows = np.arange(len(taken))
     shift = np.array(values)[taken, rows]
     axes = across_axes(measured.frames.normals)
+    # Each point's own share in what it is: summed, the degrees of freedom of the smoothed edge.
+    own = np.clip(np.array(shares)[taken, rows], 0.0, slabs)
     return Smoothed(
-        edge.point + np.einsum("ma,mai->mi", shift, axes), np.array(covariances)[taken, rows]
+        edge.point + np.einsum("ma,mai->mi", shift, axes),
+        np.array(covariances)[taken, rows],
+        max(1.0, float(own.sum())),
     )
+
+
+def _independent_slabs(measured: Measured) -> np.ndarray:
+    """Of each section's points, the share that no neighbour has as well, (m,)."""
+    if len(measured.at) < 2:
+        return np.ones(len(measured.at))
+    spacing = float(np.median(np.diff(measured.at)))
+    return np.minimum(1.0, spacing / (2.0 * measured.half_length.mean(axis=1)))
 
 
 @dataclass(frozen=True)

@@ -161,7 +161,8 @@ def test_acute_edges_are_known_worst_along_their_bisector_obtuse_ones_across_it(
 
 def test_edge_points_scatter_as_their_covariance_says(wedge, sigmas_away):
     """Over many scans: the median of a two-dimensional normal distribution is 1.18 sigma, 95 %
-    lie within 2.45. So it is before the points are smoothed, and so it is after."""
+    lie within 2.45. So it is before the points are smoothed, and so it is after, by each point
+    alone."""
     cases = [(60, (0, 0, 1)), (90, (0, 0, -1)), (135, None)]
     before, after = [], []
     for degrees, approach in cases:
@@ -170,7 +171,7 @@ def test_edge_points_scatter_as_their_covariance_says(wedge, sigmas_away):
             part = wedge(degrees, 0.6, 0.03, length=24.0, width=10.0, seed=seed, approach=approach)
             edge = scan_edge(part.cloud, part.at(0.1, 0.4))
             away.append(sigmas_away(part, edge.unsmoothed))
-            after.append(sigmas_away(part, edge))
+            after.append(edge.reserve * sigmas_away(part, edge))
         away = np.concatenate(away)
         # Neighbours share points: so few scans know their own median to a tenth.
         assert 0.85 < np.median(away) < 1.6, degrees

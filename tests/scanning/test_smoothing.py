@@ -126,6 +126,20 @@ def test_sections_are_averaged_by_what_their_sides_have_in_common(half_lengths):
     assert np.sqrt(variance[0]) < 0.35 * SIGMA
 
 
+@pytest.mark.parametrize(("half_length", "straight"), [(0.25, True), (0.25, False), (2.0, True)])
+def test_what_errs_by_itself_is_counted(half_length, straight):
+    """Of a mean of k squared distances in two directions, the variance is 1 / k of its square."""
+    means, counted = [], []
+    for seed in range(400):
+        measured, edge = straight_sections(seed, (half_length, half_length))
+        after = smoothed(measured, edge, 0.5, closed=False, straight=straight)
+        away = np.einsum("mai,mi->ma", across_axes(measured.frames.normals), after.point)
+        square = np.einsum("ma,mab,mb->m", away, np.linalg.inv(after.covariance), away)
+        means.append(square.mean())
+        counted.append(after.independent)
+    assert np.mean(counted) == pytest.approx(np.mean(means) ** 2 / np.var(means), rel=0.15)
+
+
 @pytest.mark.parametrize("radius", [2.0, 5.0, 15.0])
 def test_where_a_line_becomes_an_arc_the_error_is_no_larger_than_stated(radius):
     """A parabola comes close to both, and would be off by several of its sigmas between them."""
