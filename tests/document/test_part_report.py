@@ -43,6 +43,9 @@ def test_the_text_has_a_row_for_each_edge_and_sums_up(report) -> None:
     before = np.concatenate([row.unsmoothed_in_sigmas for row in report.rows])
     middle, most = np.percentile(before, [50, 95])
     assert f"of one section by itself {middle:.2f}, {most:.2f} (true ones" in report.text()
+    alone = np.concatenate([row.edge.reserve * row.in_sigmas for row in report.traced])
+    middle, most = np.percentile(alone, [50, 95])
+    assert f"without what short edges add {middle:.2f}, {most:.2f}; of one" in report.text()
 
 
 def test_edges_with_little_room_are_counted_by_themselves(report) -> None:
