@@ -27,6 +27,7 @@ Array = NDArray[np.float64]
 _SOME = 1000  # points that tell whether a cloud extends in all directions
 FEWEST_POINTS = 20  # below this no local surface can be told from noise
 _FEW = 8  # points that tell whether all of them are there many times
+_MANY = 4  # times, from which on neighbourhoods of a few points are hardly more than one place
 _LARGE = 2_000_000  # points from which on memory counts
 _LEAVES = (16, 32)  # points in a leaf of the tree, and of a large cloud: 10 bytes a point less
 FARTHEST = 1e12  # mm; beyond it squares and differences lose their meaning
@@ -211,16 +212,17 @@ def require_surface(cloud: PointCloud) -> None:
 
 
 def _refuse_repetitions(points: Array) -> None:
-    """Refuse points of which each one's neighbours are itself again, so that no pitch is there."""
+    """Refuse points of which each one's neighbours are itself again: pitch and noise are wrong."""
     times = len(points)
     for place in points[:: max(1, len(points) // _FEW)]:
         times = min(times, _count_of(place, points))
-        if times < statistics.PITCH_NEIGHBOURS:
+        if times < _MANY:
             return
     if times < len(points):
         raise ValueError(
             f"Each place of the cloud is there {times} times or more among its {len(points)} "
-            "points, so that they are no distance apart. Write each point once."
+            "points, so that a point's neighbours are itself again. Write each point once "
+            "(numpy.unique(points, axis=0) keeps one of each)."
         )
 
 

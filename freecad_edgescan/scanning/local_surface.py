@@ -12,6 +12,9 @@ __all__ = ["LocalSurface", "fit_local_surface"]
 _FEWEST = 15  # points of a surface
 _MOST_OFF = 3.5  # standard deviations
 _TRIMS = 3
+# Noises, and pitches where there is hardly any, by which the points of one surface scatter at most:
+# beyond its end the next one's may lie near it, and tilt it.
+_SCATTER, _UNEVEN = 1.2, 0.02
 
 
 @dataclass(frozen=True)
@@ -95,11 +98,13 @@ def fit_local_surface(
             off = local[:, 2] - terms @ c
             freedom = np.count_nonzero(used) - count
             variance = float(np.square(off[used]).sum()) / freedom
-            allowed = _MOST_OFF * np.sqrt(max(variance, (0.5 * noise) ** 2))
+            scatter = np.clip(
+                np.sqrt(variance), 0.5 * noise, max(_SCATTER * noise, _UNEVEN * pitch)
+            )
             surface = LocalSurface(origin, axes, c, inverse, variance)
             # The better of two models by Schwarz' criterion, on points of the same kind.
             worth = freedom * np.log(max(variance, 1e-18)) + count * np.log(freedom)
-            used = near & (np.abs(off) <= allowed)
+            used = near & (np.abs(off) <= _MOST_OFF * scatter)
         else:
             if best is None or worth < best[0]:
                 best = worth, surface

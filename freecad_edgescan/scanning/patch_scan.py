@@ -66,7 +66,8 @@ def scan_with_patches(
         edge = finish_edge(cloud, trace, chosen, arrived)
         check_edge(edge, cloud, chosen)
         if len(edge) >= FEWEST_POINTS or Stop.CANCELLED in trace.stops:
-            return replace(edge, message=describe(edge, gate))
+            clicked = None if start else np.asarray(at, dtype=np.float64)
+            return replace(edge, message=describe(edge, gate, clicked))
     raise ScanError(
         f"The edge found at ({place_text(first.frame.origin[0])}) cannot be followed: the walk "
         f"{trace.stops[1].value} within two steps. Click farther from its ends, or give a "

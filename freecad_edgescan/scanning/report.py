@@ -11,6 +11,7 @@ from .scanned_edge import ScannedEdge
 from .stop import Stop
 
 _FAR_OUTSIDE = 3.0  # pitches
+_BESIDE = 3.0  # pitches from a click to its edge, besides what a rounding takes away
 _MOST_SCATTER = 0.5  # pitches, that no scanner's noise is
 _ADVICE = {
     Stop.LOST: "try a larger amplitude, or click again beyond the place",
@@ -39,9 +40,19 @@ _IGNORED = (
 )
 
 
-def describe(edge: ScannedEdge, gate: object | None) -> str:
-    """Sentences about the edge's ends, its probe compensation, and parameters without effect."""
+def describe(edge: ScannedEdge, gate: object | None, clicked: np.ndarray | None = None) -> str:
+    """Sentences about the edge's ends, its probe compensation, and parameters without effect.
+
+    Parameters
+    ----------
+    clicked : (3,) mm, the place the edge was looked for at, where that was a click
+    """
     sentences = [_ends(edge)]
+    if clicked is not None and len(edge):
+        away = float(np.linalg.norm(edge.points - clicked, axis=1).min())
+        taken = 2.0 * float(np.median(edge.overhang)) if len(edge.overhang) else 0.0
+        if away > _BESIDE * (edge.parameters.cloud_pitch or np.inf) + taken:
+            sentences.append(f"It is {plain(away, 3)} mm from the place that was clicked.")
     for stop in dict.fromkeys(edge.stops):
         if stop in _ADVICE:
             sentences.append(f"{stop.name}: {_ADVICE[stop]}.")
