@@ -52,6 +52,9 @@ def trace_both_ways(
     known = [first, *onward.stations]
     backward = walk(section, turned(first), gait, progress=progress, known=known)
     stations = [turned(station) for station in reversed(backward.stations)]
+    if backward.stop is Stop.CLOSED:
+        # Round the whole edge, and over the place where something has ended the first way.
+        return Trace([*stations, first], (Stop.CLOSED, Stop.CLOSED))
     return Trace([*stations, *known], (backward.stop, onward.stop))
 
 

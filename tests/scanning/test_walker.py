@@ -283,6 +283,24 @@ def test_both_ways_are_one_edge_in_walking_order():
         assert station.frame.tangent[0] == pytest.approx([1, 0, 0])
 
 
+def test_where_only_the_second_way_leads_round_the_edge_is_closed_and_nothing_is_there_twice():
+    class OnceEnded(KnownEdge):
+        """A circle on whose first way something is taken for an end."""
+
+        def measure_one(self, predicted, half_width):
+            if np.linalg.norm(self.curve(self.at)[0] - predicted.origin[0]) > 3.0 * PITCH:
+                self.at = 0.0  # the second way
+            return super().measure_one(predicted, half_width)
+
+    edge = OnceEnded(circle, high=12.0)
+    trace = trace_both_ways(edge, edge.station(0.0), gait())
+    assert trace.stops == (Stop.CLOSED, Stop.CLOSED)
+    assert trace.closed
+    turned = np.unwrap(np.arctan2(*places(trace.stations)[:, 1::-1].T))
+    assert (np.diff(turned) > 0.0).all()
+    assert turned[-1] - turned[0] == pytest.approx(2.0 * np.pi, abs=2.0 * PITCH / 8.0)
+
+
 def test_points_found_both_ways_are_each_told_once():
     listener = Listener()
     edge = KnownEdge(straight, -45.0, 55.0)
