@@ -12,9 +12,6 @@ __all__ = ["LocalSurface", "fit_local_surface"]
 _FEWEST = 15  # points of a surface
 _MOST_OFF = 3.5  # standard deviations
 _TRIMS = 3
-# Noises, and pitches where there is hardly any, by which the points of one surface scatter at most:
-# beyond its end the next one's may lie near it, and tilt it.
-_SCATTER, _UNEVEN = 1.2, 0.02
 
 
 @dataclass(frozen=True)
@@ -67,6 +64,7 @@ def fit_local_surface(
     radius: float,
     noise: float,
     pitch: float,
+    most_scatter: float = np.inf,
 ) -> LocalSurface | None:
     """A plane, or a quadratic where that is clearly better, through what lies near a plane.
 
@@ -76,6 +74,8 @@ def fit_local_surface(
     normal, origin : (3,) of a plane that lies near the surface
     radius : mm, round the origin, within which points are used
     noise, pitch : of the cloud, mm
+    most_scatter : mm, by which points of one surface scatter at most; beyond its end the next one's
+        may lie near it, and tilt it
 
     Returns
     -------
@@ -98,9 +98,7 @@ def fit_local_surface(
             off = local[:, 2] - terms @ c
             freedom = np.count_nonzero(used) - count
             variance = float(np.square(off[used]).sum()) / freedom
-            scatter = np.clip(
-                np.sqrt(variance), 0.5 * noise, max(_SCATTER * noise, _UNEVEN * pitch)
-            )
+            scatter = np.clip(np.sqrt(variance), 0.5 * noise, most_scatter)
             surface = LocalSurface(origin, axes, c, inverse, variance)
             # The better of two models by Schwarz' criterion, on points of the same kind.
             worth = freedom * np.log(max(variance, 1e-18)) + count * np.log(freedom)

@@ -26,6 +26,8 @@ _FLATTEST = 0.25  # sine of the angle of the edge to a third surface, at least
 _SHORT, _FAR = 4.0, 6.0  # pitches before and behind the last edge point for a vertex
 _IN_COMMON = 0.5  # of an edge point's variance, that its neighbours share and no mean makes less
 _CUT = 0.2  # sine, of the angle between a third surface and a side it is told from
+# Noises, and pitches where there is hardly any, by which the points of a third surface scatter.
+_SCATTER, _UNEVEN = 1.2, 0.02
 
 
 @dataclass(frozen=True)
@@ -93,6 +95,9 @@ def find_vertex(
     weight = np.exp(-np.square(off / (0.6 * radius)))
     far = _FAR * cloud.pitch + 2.0 * rounded + beyond
     clear = rounded + 0.5 * cloud.pitch
+    # Where this edge is rounded, so may be all round a third surface, and it ends in no line.
+    scatter = max(_SCATTER * end.noise, _UNEVEN * cloud.pitch)
+    most_scatter = scatter if rounded <= cloud.pitch else np.inf
     for normal, centre in shared_planes(even, normals_of(cloud, even), weight, min_angle):
         slope = float(normal @ edge.tangent)
         if abs(slope) < _FLATTEST:
@@ -104,7 +109,7 @@ def find_vertex(
         cuts = np.abs(end.frame.normals[0] @ normal) < np.sqrt(1.0 - _CUT**2)
         room = np.all((np.abs(heights) > clear) | ~cuts, axis=1)
         surface = fit_local_surface(
-            points[room], normal, edge.at(at), radius, end.noise, cloud.pitch
+            points[room], normal, edge.at(at), radius, end.noise, cloud.pitch, most_scatter
         )
         if surface is None:
             continue
