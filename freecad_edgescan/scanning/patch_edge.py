@@ -178,7 +178,8 @@ def _without_unsupported_ends(
     # Without noise the scatter is that of rounding errors, and says nothing.
     scatter = measured.noise + _NO_NOISE * cloud_pitch
     scatter = scatter / np.median(scatter, axis=0)
-    leverage = np.sqrt(measured.fits.inverse[..., 0, 0])
+    with np.errstate(invalid="ignore"):  # nan, which is sound nowhere, of next to no points
+        leverage = np.sqrt(measured.fits.inverse[..., 0, 0])
     leverage /= np.median(leverage, axis=0)
     sound = reached & measured.supplied
     sound &= np.all((scatter < _MOST_SCATTER) & (leverage < _MOST_LEVERAGE), axis=1)

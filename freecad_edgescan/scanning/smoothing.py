@@ -326,10 +326,12 @@ def _runs(chosen: np.ndarray, closed: bool) -> list[np.ndarray]:
 def _distance(gap: np.ndarray, covariance: np.ndarray) -> np.ndarray:
     """Squared Mahalanobis distance, (m,)."""
     a, b, d = covariance[:, 0, 0], covariance[:, 0, 1], covariance[:, 1, 1]
-    # Estimates that share nearly everything differ along one direction only.
-    determinant = np.maximum(a * d - b * b, 1e-12 * np.square(a + d) + 1e-300)
-    square = d * gap[:, 0] ** 2 - 2.0 * b * gap[:, 0] * gap[:, 1] + a * gap[:, 1] ** 2
-    return np.maximum(square, 0.0) / determinant
+    # Of next to no points the covariance is beyond all bounds, and nan no distance that is small.
+    with np.errstate(over="ignore", invalid="ignore"):
+        # Estimates that share nearly everything differ along one direction only.
+        determinant = np.maximum(a * d - b * b, 1e-12 * np.square(a + d) + 1e-300)
+        square = d * gap[:, 0] ** 2 - 2.0 * b * gap[:, 0] * gap[:, 1] + a * gap[:, 1] ** 2
+        return np.asarray(np.maximum(square, 0.0) / determinant)
 
 
 def _smaller(covariance: np.ndarray, other: np.ndarray) -> np.ndarray:
