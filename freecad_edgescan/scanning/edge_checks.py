@@ -46,7 +46,7 @@ def check_edge(edge: ScannedEdge, cloud: PointCloud, chosen: Chosen) -> None:
 
 def _check_known(edge: ScannedEdge, chosen: Chosen) -> None:
     """An edge of which much is known worse than the cloud's pitch is none."""
-    sigma = float(np.quantile(edge.sigma, _MUCH)) / edge.reserve
+    sigma = float(np.quantile(edge.own_sigma, _MUCH))
     pitch = chosen.settings.cloud_pitch
     if sigma > pitch:
         raise ScanError(

@@ -96,6 +96,11 @@ class ScannedEdge:
         return largest_sigma(self.covariance)
 
     @cached_property
+    def own_sigma(self) -> np.ndarray:
+        """The same of each point alone, without what a short edge adds (`reserve`), (m,) mm."""
+        return self.sigma / self.reserve
+
+    @cached_property
     def length(self) -> float:
         """Length of the polyline of edge points, mm."""
         points = np.vstack([self.points, self.points[:1]]) if self.closed else self.points

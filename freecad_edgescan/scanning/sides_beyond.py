@@ -76,10 +76,7 @@ def sides_beyond(edge: ScannedEdge, cloud: PointCloud, settings: PatchSettings) 
         pooled = uniform_filter1d(share, min(_POOLED, count), axis=0, mode=mode)
         return np.asarray(pooled.min(axis=1) > _AS_MANY)
 
-    aside = (
-        np.maximum(_OUTSIDE * settings.noise, _ASIDE * pitch)
-        + 2.0 * edge.sigma[owner] / edge.reserve
-    )
+    aside = np.maximum(_OUTSIDE * settings.noise, _ASIDE * pitch) + 2.0 * edge.own_sigma[owner]
     ahead = np.einsum("ni,ni->n", frames.tangent[owner], offset)
     apart = np.linalg.norm(offset - ahead[:, None] * frames.tangent[owner], axis=1)
     beyond = filled(height.max(axis=1) > aside, apart, _NEXT)

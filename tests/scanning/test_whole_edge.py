@@ -32,6 +32,7 @@ def test_a_short_edge_states_more_and_a_long_one_what_its_points_scatter(wedge):
         for part in (wedge(90.0, 0.6, 0.03, length=length, width=8.0) for length in (12.0, 200.0))
     )
     assert short.reserve > 1.2
+    assert short.own_sigma * short.reserve == pytest.approx(short.sigma)
     assert long.reserve == 1.0
     assert short.unsmoothed.reserve == 1.0
     assert short.reversed().reserve == short.reserve

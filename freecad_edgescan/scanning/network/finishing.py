@@ -77,7 +77,7 @@ def _sure(edge: ScannedEdge, settings: PatchSettings) -> bool:
         if turn * length < _STANDS_OUT * noise:
             return False
     known = _SURE * settings.cloud_pitch + unsure(edge, settings.cloud_pitch)
-    return float(np.median(edge.sigma)) / edge.reserve <= known
+    return float(np.median(edge.own_sigma)) <= known
 
 
 def part_of_trace(trace: Trace, edge: ScannedEdge, stretch: np.ndarray) -> Trace:
