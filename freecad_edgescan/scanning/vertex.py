@@ -26,8 +26,9 @@ _FLATTEST = 0.25  # sine of the angle of the edge to a third surface, at least
 _SHORT, _FAR = 4.0, 6.0  # pitches before and behind the last edge point for a vertex
 _IN_COMMON = 0.5  # of an edge point's variance, that its neighbours share and no mean makes less
 _CUT = 0.2  # sine, of the angle between a third surface and a side it is told from
-# Noises, and pitches where there is hardly any, by which the points of a third surface scatter.
-_SCATTER, _UNEVEN = 1.2, 0.02
+# Noises by which the points of a third surface scatter, and pitches by which it may be uneven where
+# there is hardly any noise, as real faces are.
+_SCATTER, _UNEVEN = 1.2, 0.1
 
 
 @dataclass(frozen=True)

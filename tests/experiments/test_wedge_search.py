@@ -21,7 +21,7 @@ from freecad_edgescan.experiments.wedge_search import (
 
 @pytest.fixture(scope="module")
 def sharp():
-    return search(80, "sharp wedges", jobs=1)
+    return search(64, "sharp wedges", jobs=1)
 
 
 def test_no_sharp_edge_is_farther_off_than_stated(sharp) -> None:

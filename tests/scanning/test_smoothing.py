@@ -130,7 +130,7 @@ def test_sections_are_averaged_by_what_their_sides_have_in_common(half_lengths):
 def test_what_errs_by_itself_is_counted(half_length, straight):
     """Of a mean of k squared distances in two directions, the variance is 1 / k of its square."""
     means, counted = [], []
-    for seed in range(400):
+    for seed in range(300):
         measured, edge = straight_sections(seed, (half_length, half_length))
         after = smoothed(measured, edge, 0.5, closed=False, straight=straight)
         away = np.einsum("mai,mi->ma", across_axes(measured.frames.normals), after.point)
