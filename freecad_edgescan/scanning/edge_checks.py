@@ -15,6 +15,7 @@ from .fillet import gap_under_rounding
 from .rounded_fits import RoundedFits
 from .scan_lines import ScanLines
 from .scanned_edge import ScannedEdge
+from .side_fit import MOST_CURVED
 from .sides_beyond import sides_beyond
 
 __all__ = ["check_edge"]
@@ -33,13 +34,14 @@ def check_edge(edge: ScannedEdge, cloud: PointCloud, chosen: Chosen) -> None:
 
     Raises
     ------
-    ScanError: it is known too badly; its sides come together far outside the points, are narrow
-        pieces of something that bends, or go on beyond the edge.
+    ScanError: it is known too badly; its sides come together far outside the points, are a
+        rounding or narrow pieces of something that bends, or go on beyond the edge.
     """
     if not len(edge):
         return
     _check_known(edge, chosen)
     _check_beside_points(edge, cloud)
+    _check_sides_are_no_rounding(edge)
     _check_smooth(edge, chosen)
     _check_sides_end(edge, cloud, chosen)
 
@@ -82,6 +84,20 @@ def _check_beside_points(edge: ScannedEdge, cloud: PointCloud) -> None:
             f"points, although they begin {plain(begins, 2)} mm from there: they are the two faces "
             "of something too thin for this pitch, and have no edge there. An edge needs sides of "
             "four pitches; click on a wider one, or scan denser."
+        )
+
+
+def _check_sides_are_no_rounding(edge: ScannedEdge) -> None:
+    """Where a wide rounding in much noise ends, its arc and the side behind it seem to meet."""
+    if not isinstance(edge.scan_lines, ScanLines):
+        return
+    fits = edge.scan_lines.fits
+    bend = -float(np.median(fits.coefficients[..., 2], axis=0).min())
+    if bend > MOST_CURVED:
+        raise ScanError(
+            f"One side near ({place_text(edge.points[len(edge) // 2])}) bends inwards on a radius "
+            f"of {plain(fits.reach / bend, 2)} mm: it is a rounding, and no side. Click in the "
+            "middle of the rounding, with an amplitude that reaches beyond it, or scan denser."
         )
 
 

@@ -17,6 +17,7 @@ from freecad_edgescan.experiments.wedge_search import (
     search,
     wedge_table,
 )
+from freecad_edgescan.scanning import ScanError, scan_edge
 
 
 @pytest.fixture(scope="module")
@@ -46,6 +47,15 @@ def test_no_wedge_is_wrong_in_most_of_its_scans(number: int) -> None:
     """Sides of six to eight pitches beside a rounding half as wide, in noise of 0.3 pitches."""
     again = [judge(("wedges", number, sample)) for sample in range(1, 6)]
     assert sum(judged.wrong for judged in again) <= 2
+
+
+@pytest.mark.parametrize(("kind", "number"), [("wedges", 1883), ("steps", 271)])
+def test_a_wide_rounding_in_much_noise_is_no_side(kind: str, number: int) -> None:
+    """Its arc and the side behind it were taken for two sides, and an edge stated between them."""
+    assert not judge((kind, number, 0)).elsewhere
+    shape, cloud, click, _ = wedge_search._make(kind, number, 0)
+    with pytest.raises(ScanError, match="it is a rounding, and no side"):
+        scan_edge(cloud, at=click)
 
 
 def test_a_wedge_is_what_it_says() -> None:
