@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from freecad_edgescan.experiments import wedge_search
+from freecad_edgescan.experiments.random_steps import make_step
 from freecad_edgescan.experiments.random_wedges import SPOILT, make_wedge
 from freecad_edgescan.experiments.wedge_search import (
     by_chance,
@@ -49,11 +50,10 @@ def test_no_wedge_is_wrong_in_most_of_its_scans(number: int) -> None:
     assert sum(judged.wrong for judged in again) <= 2
 
 
-@pytest.mark.parametrize(("kind", "number"), [("wedges", 1883), ("steps", 271)])
-def test_a_wide_rounding_in_much_noise_is_no_side(kind: str, number: int) -> None:
+@pytest.mark.parametrize("made", [make_wedge(1883, rounded=True), make_step(271)])
+def test_a_wide_rounding_in_much_noise_is_no_side(made: tuple) -> None:
     """Its arc and the side behind it were taken for two sides, and an edge stated between them."""
-    assert not judge((kind, number, 0)).elsewhere
-    shape, cloud, click, _ = wedge_search._make(kind, number, 0)
+    _, cloud, click, _ = made
     with pytest.raises(ScanError, match="it is a rounding, and no side"):
         scan_edge(cloud, at=click)
 
